@@ -1,0 +1,229 @@
+/* qtraj: smooth orientation trajectories through quaternion keyframes.
+ *
+ * _f32 twins exist for what moves keyframes and samples in bulk: construction, sampling, slerp and nlerp, keys, rotate,
+ * means. They read and write float; times, settings and scalar results stay double; sums are taken in double.
+ *
+ * Conventions
+ *   Hamilton product, right-handed, q = w x y z; q_wb takes body vectors to world; q and -q are one orientation.
+ *   Radians, seconds. Arrays are contiguous: [count][4] q, [count][3] vectors, [count][9] row-major matrices.
+ * Results
+ *   The status is the contract. Argument errors (NULL, COUNT, SIZE, OPTION, BUFFER, OVERLAP) leave all data outputs
+ *   untouched. Array functions process every row: a row at fault becomes NaN, the others are right, the status is
+ *   that of the first row at fault. Under AMBIGUOUS the row holds one valid answer, chosen by the documented rule.
+ *   bad_index may be NULL. It is written by every call: index of the first element at fault, else SIZE_MAX.
+ *   Constructors write NULL to *out on every error.
+ * Counts
+ *   count 0 is OK with NULL arrays, except where a minimum is stated (keys 2, means 1, differences 2): then COUNT.
+ *   An input with a count of its own has `count` rows, or 1 row that serves all.
+ * Memory
+ *   The caller owns every array. Inputs are copied or only read during the call; nothing is borrowed. An output may be
+ *   the same array as an input of the same type and row length; any other overlap is OVERLAP.
+ * Threads
+ *   No global state. A trajectory is immutable: any number of threads may sample it. Options belong to one thread at a
+ *   time. Rounding mode, FP traps, errno and locale are never changed; only FE_INEXACT and FE_UNDERFLOW can be raised.
+ * Enumerators are passed as int32_t. Values never change meaning; new ones are appended. */
+#ifndef QTRAJ_H
+#define QTRAJ_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define QTRAJ_VERSION_MAJOR 0
+#define QTRAJ_VERSION_MINOR 1
+#define QTRAJ_VERSION_PATCH 0
+#define QTRAJ_VERSION_STRING "0.1.0"
+#define QTRAJ_VERSION_NUMBER (QTRAJ_VERSION_MAJOR * 1000000 + QTRAJ_VERSION_MINOR * 1000 + QTRAJ_VERSION_PATCH)
+
+#if defined(_WIN32) && defined(QTRAJ_BUILDING_SHARED)
+#define QTRAJ_API __declspec(dllexport)
+#elif defined(_WIN32) && !defined(QTRAJ_STATIC)
+#define QTRAJ_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define QTRAJ_API __attribute__((visibility("default")))
+#else
+#define QTRAJ_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Constants ---- */
+
+typedef enum qtraj_status {
+  QTRAJ_OK = 0,
+  QTRAJ_E_NULL = 1,             /* a required pointer is NULL */
+  QTRAJ_E_COUNT = 2,            /* too few elements, or counts that do not belong together */
+  QTRAJ_E_SIZE = 3,             /* an array would be larger than PTRDIFF_MAX bytes */
+  QTRAJ_E_OPTION = 4,           /* unknown constant, option the method does not have, or rates it needs are missing */
+  QTRAJ_E_BUFFER = 5,           /* caller's memory too small or not aligned to 8 bytes */
+  QTRAJ_E_OVERLAP = 6,          /* output overlaps another array where that is not allowed */
+  QTRAJ_E_NO_MEMORY = 7,        /* allocation failed */
+  QTRAJ_E_NOT_FINITE = 8,       /* NaN or infinity in the input, or a result that overflows */
+  QTRAJ_E_ZERO_NORM = 9,        /* quaternion of norm 0; weights that are all 0 */
+  QTRAJ_E_TIME_ORDER = 10,      /* times not strictly increasing, or a step too small to divide by */
+  QTRAJ_E_TIME_RANGE = 11,      /* time outside the knots under EXTRAPOLATE_ERROR; span of the knots overflows */
+  QTRAJ_E_NEGATIVE_WEIGHT = 12, /* weight below 0 */
+  QTRAJ_E_NOT_CLOSED = 13,     /* PERIODIC, but first and last key differ by more than 1e-6 rad (or wind, LOG_SPLINE) */
+  QTRAJ_E_NOT_ROTATION = 14,   /* matrix more than 1e-3 away from a rotation, or with a negative determinant */
+  QTRAJ_E_AMBIGUOUS = 15,      /* more than one answer is equally right */
+  QTRAJ_E_NO_CONVERGENCE = 16, /* iteration limit reached */
+  QTRAJ_E_INTERNAL = 17,       /* a defect of the library: please report */
+  QTRAJ_STATUS_INT32 = -0x7fffffff - 1 /* never returned: keeps the type a signed 32-bit integer */
+} qtraj_status;
+
+/* 0 is no method, no frame: a forgotten argument is QTRAJ_E_OPTION. */
+enum qtraj_method_value {
+  QTRAJ_SLERP = 1,     /* C0, constant rate in each segment */
+  QTRAJ_NLERP = 2,     /* C0, normalised linear */
+  QTRAJ_SQUAD = 3,     /* C1 */
+  QTRAJ_LOG_SPLINE = 4 /* C2, cubic in one chart */
+};
+enum qtraj_frame_value { QTRAJ_FRAME_BODY = 1, QTRAJ_FRAME_WORLD = 2 };
+enum qtraj_end_value {
+  QTRAJ_END_DEFAULT = 0,    /* SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
+  QTRAJ_END_CHORD = 1,      /* rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_NATURAL = 2,    /* second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
+  QTRAJ_END_NOT_A_KNOT = 3, /* LOG_SPLINE */
+  QTRAJ_END_ESTIMATED = 4,  /* Lagrange derivative through the end keys: SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_GIVEN = 5,      /* qtraj_options_set_end_rates */
+  QTRAJ_END_PERIODIC = 6    /* both ends or none */
+};
+enum qtraj_tangent_value {
+  QTRAJ_TANGENT_DEFAULT = 0, /* CATMULL_ROM */
+  QTRAJ_TANGENT_CATMULL_ROM = 1,
+  QTRAJ_TANGENT_MEAN_VELOCITY = 2,
+  QTRAJ_TANGENT_GIVEN = 3 /* omega of qtraj_create_with_rates */
+};
+enum qtraj_reference_value {
+  QTRAJ_REFERENCE_DEFAULT = 0, /* FIRST */
+  QTRAJ_REFERENCE_FIRST = 1,
+  QTRAJ_REFERENCE_MEAN = 2, /* unweighted eigen mean of the keys */
+  QTRAJ_REFERENCE_GIVEN = 3
+};
+enum qtraj_extrapolate_value {
+  QTRAJ_EXTRAPOLATE_ERROR = 0,         /* NaN row, QTRAJ_E_TIME_RANGE */
+  QTRAJ_EXTRAPOLATE_HOLD = 1,          /* end key, zero rates */
+  QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 2, /* geodesic with the end rate, zero acceleration */
+  QTRAJ_EXTRAPOLATE_PERIODIC = 3       /* time wrapped; both sides or none */
+};
+
+/* Room for an options object in the caller's memory; holds for every library of the same SONAME. */
+#define QTRAJ_OPTIONS_BYTES 512
+
+typedef struct qtraj_trajectory qtraj_trajectory; /* immutable once built */
+typedef struct qtraj_options qtraj_options;       /* method and its settings, reusable */
+
+/* ---- Library ---- */
+
+/* Version that was linked, "0.1.0"; borrowed: static text. */
+QTRAJ_API const char* qtraj_version(void);
+/* The same as QTRAJ_VERSION_NUMBER. */
+QTRAJ_API int32_t qtraj_version_number(void);
+/* One-line text of a status, "unknown status" for others, never NULL; borrowed: static text. */
+QTRAJ_API const char* qtraj_status_text(int32_t status);
+/* Kernel that runs here and its arithmetic, "avx2 fused", "scalar plain": which golden hash applies; static text. */
+QTRAJ_API const char* qtraj_target(void);
+
+/* ---- Options: heap or caller's memory; every setter checks at once and fails without effect ---- */
+
+/* New options of a method with its defaults; owned: qtraj_options_destroy. */
+QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out);
+/* The same in caller's memory of at least QTRAJ_OPTIONS_BYTES, 8-byte aligned, which outlives it; nothing allocated. */
+QTRAJ_API qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtraj_options** out);
+/* Frees what options_create made; no-op for NULL and for options_init. */
+QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
+/* End condition at the first and at the last key. */
+QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end);
+/* Rates for END_GIVEN, rad/s, copied; NULL for an end that is not GIVEN. */
+QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
+                                                   const double* omega_end);
+/* SQUAD: tangent rule. */
+QTRAJ_API qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_t rule);
+/* LOG_SPLINE: base orientation; q_wb [4] with REFERENCE_GIVEN, else NULL; its sign is made <q, first key> >= 0. */
+QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32_t rule, const double* q_wb);
+/* What a time before the first and after the last knot means. */
+QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after);
+
+/* ---- Construction: inputs are copied, normalised, made sign-continuous ---- */
+
+/* Trajectory with the method's defaults through count >= 2 keys; owned: qtraj_destroy. */
+QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const double* q_wb, size_t count,
+                                    qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
+                                        qtraj_trajectory** out, size_t* bad_index);
+/* The same with options. */
+QTRAJ_API qtraj_status qtraj_create_with(const qtraj_options* options, const double* times, const double* q_wb,
+                                         size_t count, qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_f32(const qtraj_options* options, const double* times, const float* q_wb,
+                                             size_t count, qtraj_trajectory** out, size_t* bad_index);
+/* The same with rates at the keys: omega [count][3] rad/s; alpha [count][3] rad/s^2, for the quintics, else NULL. */
+QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, const double* times, const double* q_wb,
+                                               int32_t frame, const double* omega, const double* alpha, size_t count,
+                                               qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, const double* times, const float* q_wb,
+                                                   int32_t frame, const float* omega, const float* alpha, size_t count,
+                                                   qtraj_trajectory** out, size_t* bad_index);
+/* Bytes that qtraj_init needs for count keys, working space included. */
+QTRAJ_API qtraj_status qtraj_size(const qtraj_options* options, size_t count, size_t* bytes);
+/* create_with_rates in caller's memory, 8-byte aligned, which outlives the handle and stays in place; omega and alpha
+ * may be NULL (frame is then ignored). */
+QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                  const double* q_wb, int32_t frame, const double* omega, const double* alpha,
+                                  size_t count, qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                      const float* q_wb, int32_t frame, const float* omega, const float* alpha,
+                                      size_t count, qtraj_trajectory** out, size_t* bad_index);
+/* Frees what create made; no-op for NULL and for init. */
+QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
+
+/* ---- Sampling: any order of times; the same time gives the same bits from every function ---- */
+
+/* Orientations q_out [count][4] at times [count]. */
+QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count,
+                                    double* q_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
+                                        float* q_out, size_t* bad_index);
+/* At start + (double)i * step, rounded twice, for i < count. */
+QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
+                                            double* q_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
+                                                size_t count, float* q_out, size_t* bad_index);
+/* One time, for control loops. cursor: any value, 0 to begin; a hint kept by the caller, never changes the result; may
+ * be NULL. */
+QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
+QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
+                                           float* q_out);
+
+/* ---- What a trajectory knows: plain values; 0 or NaN for a NULL handle ---- */
+
+/* Method it was built with. */
+QTRAJ_API int32_t qtraj_method(const qtraj_trajectory* trajectory);
+/* Number of keys. */
+QTRAJ_API size_t qtraj_key_count(const qtraj_trajectory* trajectory);
+/* First knot, s. */
+QTRAJ_API double qtraj_start_time(const qtraj_trajectory* trajectory);
+/* Last knot, s. */
+QTRAJ_API double qtraj_end_time(const qtraj_trajectory* trajectory);
+/* Number of keys whose sign was changed. */
+QTRAJ_API size_t qtraj_sign_flips(const qtraj_trajectory* trajectory);
+/* Largest | |q| - 1 | of the keys as given. */
+QTRAJ_API double qtraj_worst_norm_error(const qtraj_trajectory* trajectory);
+/* Smallest dot product of neighbouring keys, >= 0; near 0 a step is close to a half turn and its direction a matter of
+ * rounding. */
+QTRAJ_API double qtraj_least_dot(const qtraj_trajectory* trajectory);
+/* Iterations the constructor took, 0 for direct methods. */
+QTRAJ_API int32_t qtraj_iterations(const qtraj_trajectory* trajectory);
+/* ROTATION_SPLINE: largest alpha jump left at a knot relative to the largest alpha; 0 for direct methods. */
+QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
+/* Keys as used: times_out [key_count], q_out [key_count][4], normalised and sign-continuous; each may be NULL. */
+QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
+/* NLERP, QUATERNION_QUINTIC: smallest norm before normalisation and its time (nullable); 1 for the others. Computed by
+ * the call. */
+QTRAJ_API qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
