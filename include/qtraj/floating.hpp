@@ -1,0 +1,37 @@
+// What the arithmetic of every file rests on: IEEE 754 binary32 and binary64, each operation rounded once.
+// Vector files include this header: nothing in it may become a shared symbol, hence the internal linkage.
+#pragma once
+
+#include <cfloat>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__FAST_MATH__)
+#error "qtraj: -ffast-math changes results; the same bits on every CPU are part of the contract"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "qtraj: needs arithmetic without extra precision (FLT_EVAL_METHOD 0; on 32-bit x86: -msse2 -mfpmath=sse)"
+#endif
+
+namespace qtraj {
+
+// Told by the bits: a comparison with NaN would raise FE_INVALID, which a caller may trap.
+static inline bool is_finite(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
+}
+
+static inline bool is_finite(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+// Nearest integer, ties to even, for |value| < 2^51: no libm call and no conversion.
+static inline double round_to_integer(double value) {
+  constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: its last bit is worth 1
+  return (value + kShift) - kShift;
+}
+
+}  // namespace qtraj

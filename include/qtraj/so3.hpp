@@ -1,0 +1,41 @@
+// Exponential and logarithm on S^3 (half angles), and the right Jacobian of SO(3).
+#pragma once
+
+#include "qtraj/quaternion.hpp"
+
+namespace qtraj {
+
+// exp v = (cos |v|, v sin |v| / |v|), v a half-angle vector, rad.
+Quaternion exp_map(const Vector3& v);
+
+// exp v - 1 without cancellation: (-2 sin^2(|v| / 2), v sin |v| / |v|), each component good to a few eps.
+Quaternion exp_map_minus_one(const Vector3& v);
+
+// From a to b along the great circle of S^3, both unit: sin_part = Im(a* b), |sin_part| = sin(angle), angle in [0, pi].
+// Good to a few eps relative at every angle, since it is made of the difference and the sum of a and b.
+struct RelativeRotation {
+  Vector3 sin_part;
+  double angle;
+};
+RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b);
+
+// log(a* b), the half-angle vector on the arc the signs give; 0 for b = a, and for b = -a, where no axis is known.
+Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b);
+
+// The half-angle vector of the rotation on the branch nearest to `previous`, so that a sequence of logs is continuous.
+// Within rounding of +-1, |sin_part| <= 16 epsilon (1 + |previous|), the axis is noise: the nearest multiple of pi of
+// the right parity along `previous` (0 after 0). epsilon is that of the type the keys came in.
+Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double epsilon);
+
+// Jr(r) d, the right Jacobian: omega_body = Jr(r) r' for the rotation vector r (full angle), rad. Any |r| below 1e15.
+//   Jr(r) d = d - (K^2/2) r x d + ((K^2 - C D)/4) r x (r x d),
+//   p = r/2, y = |p|^2, C = cos |p|, K = sin |p| / |p|, D = (K - C)/y.
+// The same matrix as G. Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", vol. 2 (2012), eq. 10.86,
+// with its quotients (1 - cos)/|r|^2 = K^2/2 and (|r| - sin)/|r|^3 = (K^2 - C D)/4, which lose no digits near 0.
+Vector3 right_jacobian(const Vector3& r, const Vector3& d);
+
+// Body to world and back: the same vector in the other frame.
+inline Vector3 to_world(const Quaternion& q_wb, const Vector3& v_body) { return rotate(q_wb, v_body); }
+inline Vector3 to_body(const Quaternion& q_wb, const Vector3& v_world) { return rotate(conjugate(q_wb), v_world); }
+
+}  // namespace qtraj

@@ -1,0 +1,81 @@
+#include "qtraj/elementary.hpp"
+
+#include <cstdint>
+
+#include "kernel/coefficients.hpp"
+#include "qtraj/error_free.hpp"
+#include "qtraj/floating.hpp"
+
+namespace qtraj {
+namespace {
+
+// x (c1 + c2 x + ...): a polynomial less its constant term, which callers add last so that it rounds once.
+template <std::size_t Terms>
+double tail(const double (&coefficients)[Terms], double x) {
+  double sum = coefficients[Terms - 1];
+  for (std::size_t k = Terms - 2; k >= 1; --k) sum = sum * x + coefficients[k];
+  return sum * x;
+}
+
+// pi/2 to 159 bits.
+constexpr double kHalfPi = 0x1.921fb54442d18p+0;
+constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
+constexpr double kHalfPiLowest = -0x1.f1976b7ed8fbcp-110;
+
+}  // namespace
+
+SinCos sin_cos(double x) {
+  constexpr double kFar = 0x1p50;
+  if (x > kFar) x = kFar;
+  if (x < -kFar) x = -kFar;
+
+  // x = quarters pi/2 + high + low; x - multiple.value is exact, the two being within a factor of 2 or the second 0
+  const double quarters = round_to_integer(x * 0x1.45f306dc9c883p-1);
+  const Exact multiple = two_product(quarters, kHalfPi);
+  const double remainder = x - multiple.value;
+  const double correction = multiple.error + (quarters * kHalfPiLow + quarters * kHalfPiLowest);
+  const double high = remainder - correction;
+  const double low = (remainder - high) - correction;
+
+  const double y = high * high;
+  const double cos_tail = tail(CosArc::kDouble, y);
+  const double s = high + (high * tail(SincArc::kDouble, y) + low * (1.0 + cos_tail));
+  const double c = 1.0 + (cos_tail - high * low);
+  switch (static_cast<std::int64_t>(quarters) & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+double atan2(double y, double x) {
+  const double ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
+  const double largest = ax > ay ? ax : ay, least = ax > ay ? ay : ax;
+  if (largest == 0) return 0;
+
+  // the angle is eighths pi/4 + sign atan(ratio), |ratio| <= tan(pi/8)
+  constexpr double kTanEighthPi = 0.41421356237309503;
+  const bool wide = least > kTanEighthPi * largest;
+  const double ratio = wide ? (least - largest) / (least + largest) : least / largest;
+  int eighths = wide ? 1 : 0;
+  double sign = 1;
+  if (ay > ax) eighths = 2 - eighths, sign = -sign;
+  if (x < 0) eighths = 4 - eighths, sign = -sign;
+
+  // multiples of pi/4 and what their rounding left
+  constexpr double kHigh[] = {0, 0x1.921fb54442d18p-1, 0x1.921fb54442d18p+0, 0x1.2d97c7f3321d2p+1,
+                              0x1.921fb54442d18p+1};
+  constexpr double kLow[] = {0, 0x1.1a62633145c07p-55, 0x1.1a62633145c07p-54, 0x1.a79394c9e8a0ap-54,
+                             0x1.1a62633145c07p-53};
+  const double atan_tail = ratio * tail(AtanRatio::kDouble, ratio * ratio);
+  const double magnitude =
+      eighths == 0 ? ratio + atan_tail : kHigh[eighths] + (sign * ratio + (sign * atan_tail + kLow[eighths]));
+  return y < 0 ? -magnitude : magnitude;
+}
+
+}  // namespace qtraj

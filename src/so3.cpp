@@ -1,0 +1,84 @@
+#include "qtraj/so3.hpp"
+
+#include "kernel/coefficients.hpp"
+#include "qtraj/elementary.hpp"
+#include "qtraj/floating.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+
+template <std::size_t Terms>
+double polynomial(const double (&coefficients)[Terms], double x) {
+  double sum = coefficients[Terms - 1];
+  for (std::size_t k = Terms - 1; k-- > 0;) sum = sum * x + coefficients[k];
+  return sum;
+}
+
+// C, K and D of the half angle sqrt(y), from their polynomials below pi/2, where the quotients would cancel.
+struct HalfAngleFactors {
+  double c, k, d;
+};
+HalfAngleFactors half_angle_factors(double y) {
+  constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
+  if (y <= kPolynomialLimit)
+    return {polynomial(CosHalf::kDouble, y), polynomial(SincHalf::kDouble, y), polynomial(DHalf::kDouble, y)};
+  const double angle = std::sqrt(y);
+  const SinCos at = sin_cos(angle);
+  const double k = at.sin / angle;
+  return {at.cos, k, (k - at.cos) / y};
+}
+
+}  // namespace
+
+Quaternion exp_map(const Vector3& v) {
+  const double angle = length(v);
+  if (angle == 0) return quaternion(1.0, v);
+  const SinCos at = sin_cos(angle);
+  return quaternion(at.cos, (at.sin / angle) * v);
+}
+
+Quaternion exp_map_minus_one(const Vector3& v) {
+  const double angle = length(v);
+  if (angle == 0) return quaternion(0.0, v);
+  const SinCos half = sin_cos(0.5 * angle);
+  return quaternion(-2.0 * half.sin * half.sin, (2.0 * half.sin * half.cos / angle) * v);
+}
+
+RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b) {
+  const Quaternion chord = difference(b, a), opposite_chord = sum(a, b);
+  const double chord_length = length(chord), opposite_length = length(opposite_chord);
+  // Im(a* b) = Im(a* (b - a)) = Im(a* (b + a)): the shorter factor loses nothing
+  const Quaternion& shorter = chord_length <= opposite_length ? chord : opposite_chord;
+  return {vector_part(multiply(conjugate(a.value), shorter)), 2.0 * atan2(chord_length, opposite_length)};
+}
+
+Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b) {
+  const RelativeRotation rotation = relative_rotation(a, b);
+  const double sine = length(rotation.sin_part);
+  if (sine == 0) return rotation.sin_part;
+  return (rotation.angle / sine) * rotation.sin_part;
+}
+
+Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double epsilon) {
+  const double previous_angle = length(previous);
+  const double sine = length(rotation.sin_part);
+  if (sine <= 16.0 * epsilon * (1.0 + previous_angle)) {
+    if (previous_angle == 0) return previous;
+    const double odd = rotation.angle > 0.5 * kPi ? 1.0 : 0.0;
+    const double multiple = 2.0 * round_to_integer(0.5 * (previous_angle / kPi - odd)) + odd;
+    return (multiple * kPi / previous_angle) * previous;
+  }
+  const Vector3 axis = rotation.sin_part / sine;
+  const double turns = round_to_integer((dot(axis, previous) - rotation.angle) / (2.0 * kPi));
+  return (rotation.angle + 2.0 * kPi * turns) * axis;
+}
+
+Vector3 right_jacobian(const Vector3& r, const Vector3& d) {
+  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+  const Vector3 once = cross(r, d), twice = cross(r, once);
+  return d - (0.5 * f.k * f.k) * once + (0.25 * (f.k * f.k - f.c * f.d)) * twice;
+}
+
+}  // namespace qtraj
