@@ -1,0 +1,67 @@
+// The door for keyframes: caller's arrays are checked, normalised and made sign-continuous, once.
+#pragma once
+
+#include "qtraj/quaternion.hpp"
+#include "qtraj/status.hpp"
+
+namespace qtraj {
+
+// Rows of `Width` float or double in the caller's memory, any alignment of their element; read as double.
+template <int Width>
+struct Rows {
+  using Row = Eigen::Matrix<double, Width, 1>;
+
+  const void* data;
+  bool single;
+
+  Row operator[](size_t row) const {
+    Row values;
+    for (int k = 0; k < Width; ++k) {
+      const size_t at = row * Width + static_cast<size_t>(k);
+      values[k] =
+          single ? static_cast<double>(static_cast<const float*>(data)[at]) : static_cast<const double*>(data)[at];
+    }
+    return values;
+  }
+};
+
+// Keyframes as the caller passed them; omega and alpha data may be null. The pointers to data are checked.
+struct KeyframeInput {
+  const double* times;
+  Rows<4> q_wb;
+  Rows<3> omega, alpha;
+  size_t count;
+
+  // Rounding of the caller's type: what lies within it of a singular point is noise.
+  double epsilon() const;
+};
+
+// Invariant: times strictly increase, q are unit to 1e-30, <q_{i-1}, q_i> >= 0.
+struct Keyframes {
+  double* times;             // [count]
+  double (*q)[4];            // [count], rounded
+  double (*q_remainder)[4];  // [count], what the rounding left; working space of the constructor
+  size_t count;
+
+  UnitQuaternion operator[](size_t key) const;
+  void set(size_t key, const UnitQuaternion& q);
+  size_t segments() const { return count - 1; }
+  // length of segment i
+  double step(size_t segment) const { return times[segment + 1] - times[segment]; }
+};
+
+// What cleaning found; users see it through the getters.
+struct KeyframeReport {
+  size_t sign_flips = 0;
+  double worst_norm_error = 0;
+  double least_dot = 1;
+};
+
+// Checks all input and fills `keys`, whose arrays hold input.count elements. On an error the lowest index at fault and,
+// at one index, the first of not_finite, zero_norm, time_order, time_range.
+Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report);
+
+// Makes the last key +- the first, sign kept; not_closed where they are more than 1e-6 rad apart as orientations.
+Outcome close_keyframes(Keyframes& keys);
+
+}  // namespace qtraj

@@ -1,0 +1,40 @@
+// The table of methods: a new interpolant is one builder and one row here.
+#pragma once
+
+#include "qtraj/keyframes.hpp"
+#include "qtraj/options.hpp"
+#include "qtraj/segment.hpp"
+
+namespace qtraj {
+
+// What a builder reads and what it leaves.
+struct Construction {
+  const Options& options;
+  const KeyframeInput& input;  // for the given rates
+  Frame rate_frame;            // of the given rates
+  Keyframes keys;
+  double* workspace;  // MethodRow::workspace_per_key doubles a key
+  void* segments;     // [keys.segments()] of the method's record
+
+  // Left by the builder: rates of the curve at the first and last knot, body frame, for CONSTANT_RATE.
+  Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
+  // Largest |p| of rotation-vector segments.
+  ExponentRange range = ExponentRange::quarter_turn;
+};
+
+struct MethodRow {
+  Method method;
+  SegmentKind kind;
+  size_t segment_bytes;
+  unsigned ends;  // a bit for each End condition that set_ends takes
+  bool has_tangents, has_reference;
+  size_t workspace_per_key;
+  Outcome (*build)(Construction&);
+
+  bool accepts_end(End condition) const;
+};
+
+// nullptr where the method is unknown.
+const MethodRow* find_method(Method method);
+
+}  // namespace qtraj

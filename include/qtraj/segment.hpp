@@ -1,0 +1,54 @@
+// Segments: what a builder leaves and a kernel samples, one plain record per interval between two knots.
+//
+// Four kinds carry all methods. Vector files include this header: plain data only.
+#pragma once
+
+#include <cstddef>
+
+namespace qtraj {
+
+enum class SegmentKind {
+  arc,              // SLERP
+  rotation_vector,  // LOG_SPLINE
+  nested_arcs,      // SQUAD
+  normalized,       // NLERP
+};
+
+// Great circle q = m cos x + e sin x, x = (t - t_i) rate - half_angle. m is the middle of the arc and e the direction
+// there: unit, orthogonal; e = 0 where the arc is a point.
+struct ArcSegment {
+  double rate;        // d x / d t, rad/s on S^3
+  double half_angle;  // of the arc on S^3, rad
+  double m[4], e[4];
+};
+
+// q = base exp(p(s)), s = (t - t_i) scale - 1 in [-1, 1], p = c[0] + c[1] s + ... the half-angle vector. Coefficients
+// about the middle: monomials in (t - t_i)/h would lose up to 7 times as much to cancellation.
+template <size_t Degree>
+struct RotationVectorSegment {
+  double scale;  // 2/h
+  double base[4];
+  double c[Degree + 1][3];
+};
+
+// q = slerp(outer(u), inner(u); 2u(1 - u)): two arcs over the same interval, between the keys and between the controls.
+struct NestedArcsSegment {
+  struct Arc {
+    double half_angle;
+    double m[4], e[4];
+  };
+  double scale;  // 2/h
+  Arc keys, controls;
+};
+
+// q = p(s)/|p(s)|, p = c[0] + c[1] s + ... in R^4.
+template <size_t Degree>
+struct NormalizedSegment {
+  double scale;  // 2/h
+  double c[Degree + 1][4];
+};
+
+// Largest |p| of rotation-vector segments: how far the kernels must reduce it.
+enum class ExponentRange { quarter_turn, half_turn, full_turn, any };  // |p| <= pi/2, pi, 2 pi
+
+}  // namespace qtraj

@@ -1,0 +1,24 @@
+#include "qtraj/knots.hpp"
+
+#include <cfloat>
+
+namespace qtraj {
+
+Status check_knot(const double* times, size_t index) {
+  if (index == 0) return Status::ok;
+  const double time = times[index];
+  if (!(time > times[index - 1])) return Status::time_order;
+  // halves: their difference cannot overflow
+  if (0.5 * time - 0.5 * times[0] > 0.5 * DBL_MAX) return Status::time_range;
+  const double h = time - times[index - 1];
+  if (h < 1.0 && h * h < 1.0 / DBL_MAX) return Status::time_order;
+  return Status::ok;
+}
+
+IntervalShares interval_shares(double h_before, double h_after) {
+  // halves: the sum of two intervals of a span near DBL_MAX may round up to infinity
+  const double half_span = 0.5 * h_before + 0.5 * h_after;
+  return {0.5 * h_before / half_span, 0.5 * h_after / half_span};
+}
+
+}  // namespace qtraj

@@ -1,0 +1,137 @@
+#include "qtraj/log_spline.hpp"
+
+#include "qtraj/cubic_spline.hpp"
+#include "qtraj/mean.hpp"
+#include "qtraj/so3.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+
+// Working space: per key the half-angle vector p_i and its derivative, and the scratch of the spline.
+struct Workspace {
+  double (*p)[3];
+  double (*slope)[3];
+  double* scratch;
+};
+static_assert(kLogSplineWorkspacePerKey == 6 + kSplineScratchPerKnot, "p, slope and scratch");
+Workspace workspace_of(const Construction& construction) {
+  const size_t count = construction.keys.count;
+  auto* rows = reinterpret_cast<double(*)[3]>(construction.workspace);
+  return {rows, rows + count, construction.workspace + 6 * count};
+}
+
+SplineEnd spline_end(End condition) {
+  if (condition == End::not_a_knot) return SplineEnd::not_a_knot;
+  if (condition == End::periodic) return SplineEnd::periodic;
+  return SplineEnd::natural;
+}
+
+Status find_reference(const Construction& construction, UnitQuaternion& reference) {
+  const Keyframes& keys = construction.keys;
+  reference = keys[0];
+  if (construction.options.reference == Reference::given) reference = normalize(construction.options.reference_q).unit;
+  if (construction.options.reference == Reference::mean) {
+    OrientationScatter scatter;
+    for (size_t key = 0; key < keys.count; ++key) scatter.add(keys[key].value, 1.0);
+    Quaternion mean;
+    const Status status = scatter.top_eigenvector(construction.input.epsilon(), mean);
+    if (status != Status::ok) return status;
+    reference = normalize(mean).unit;
+  }
+  if (dot(reference.value, keys[0].value) < 0) reference = negate(reference);
+  return Status::ok;
+}
+
+// The cubic over one segment as a polynomial in s and as Bezier points, whose largest length bounds |p|.
+struct Cubic {
+  Vector3 c[4];
+  double bound;
+};
+Cubic cubic(const Vector3& p0, const Vector3& p1, const Vector3& rise0, const Vector3& rise1) {
+  // rise: h p', the derivative in u
+  const Vector3 half_step = 0.5 * (p1 - p0), mean_rise = 0.25 * (rise1 + rise0), rise_change = 0.25 * (rise1 - rise0);
+  Cubic result;
+  result.c[3] = 0.5 * (mean_rise - half_step);
+  result.c[2] = 0.5 * rise_change;
+  result.c[1] = half_step - result.c[3];
+  result.c[0] = 0.5 * (p0 + p1) - result.c[2];
+  const Vector3 control0 = p0 + rise0 / 3.0, control1 = p1 - rise1 / 3.0;
+  result.bound = std::max({length(p0), length(p1), length(control0), length(control1)});
+  return result;
+}
+
+ExponentRange range_of(double bound) {
+  if (bound <= 0.5 * kPi) return ExponentRange::quarter_turn;
+  if (bound <= kPi) return ExponentRange::half_turn;
+  if (bound <= 2.0 * kPi) return ExponentRange::full_turn;
+  return ExponentRange::any;
+}
+
+// p_i of every key, on the branch that continues the one before.
+Outcome fill_logs(const Construction& construction, const UnitQuaternion& reference, const Workspace& workspace) {
+  const Keyframes& keys = construction.keys;
+  Vector3 p = Vector3::Zero();
+  for (size_t key = 0; key < keys.count; ++key) {
+    p = unwrap(relative_rotation(reference, keys[key]), p, construction.input.epsilon());
+    store(p, workspace.p[key]);
+  }
+  if (!construction.options.closed()) return {};
+  constexpr double kTolerance = 1e-6;
+  const size_t last = keys.segments();
+  const Vector3 first_p = load(workspace.p[0]);
+  if (length(Vector3(p - first_p)) > kTolerance) return {Status::not_closed, last};
+  store(first_p, workspace.p[last]);
+  return {};
+}
+
+// h p' at a knot, false where its square would overflow.
+bool rise_at(const Workspace& workspace, size_t key, double h, Vector3& rise) {
+  const Vector3 slope = load(workspace.slope[key]);
+  if (largest_component(slope) > 0x1p500 / h) return false;
+  rise = h * slope;
+  return true;
+}
+
+}  // namespace
+
+Outcome build_log_spline(Construction& construction) {
+  UnitQuaternion reference;
+  const Status status = find_reference(construction, reference);
+  if (status != Status::ok) return {status, kNoIndex};
+
+  const Keyframes& keys = construction.keys;
+  const Workspace workspace = workspace_of(construction);
+  Outcome outcome = fill_logs(construction, reference, workspace);
+  if (outcome.status != Status::ok) return outcome;
+  const SplineData data = {keys.times, workspace.p[0], keys.count, 3};
+  outcome = spline_slopes(data, spline_end(construction.options.start.condition),
+                          spline_end(construction.options.end.condition), workspace.slope[0], workspace.scratch);
+  if (outcome.status != Status::ok) return outcome;
+
+  auto* segments = static_cast<RotationVectorSegment<3>*>(construction.segments);
+  double bound = 0;
+  for (size_t i = 0; i < keys.segments(); ++i) {
+    const double h = keys.step(i);
+    Vector3 rise0, rise1;
+    if (!rise_at(workspace, i, h, rise0)) return {Status::not_finite, i};
+    if (!rise_at(workspace, i + 1, h, rise1)) return {Status::not_finite, i + 1};
+    const Cubic p = cubic(load(workspace.p[i]), load(workspace.p[i + 1]), rise0, rise1);
+    bound = std::max(bound, p.bound);
+
+    segments[i].scale = 2.0 / h;
+    store(reference.value, segments[i].base);
+    for (int k = 0; k < 4; ++k) store(p.c[k], segments[i].c[k]);
+  }
+  construction.range = range_of(bound);
+
+  const auto end_rate = [&](size_t key) -> Vector3 {
+    return 2.0 * right_jacobian(2.0 * load(workspace.p[key]), load(workspace.slope[key]));
+  };
+  construction.omega_start = end_rate(0);
+  construction.omega_end = end_rate(keys.segments());
+  return {};
+}
+
+}  // namespace qtraj
