@@ -1,0 +1,174 @@
+#include <cstdlib>
+
+#include "qtraj/keyframes.hpp"
+#include "translate.hpp"
+
+using namespace qtraj;
+
+namespace {
+
+// Arguments of a constructor, float or double alike.
+struct Request {
+  KeyframeInput input;
+  int32_t frame;
+  qtraj_trajectory** out;
+  size_t* bad_index;
+
+  size_t element_bytes() const { return input.q_wb.single ? sizeof(float) : sizeof(double); }
+};
+
+template <class Real>
+Request request(const double* times, const Real* q_wb, int32_t frame, const Real* omega, const Real* alpha,
+                size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  constexpr bool kSingle = sizeof(Real) == sizeof(float);
+  return {{times, {q_wb, kSingle}, {omega, kSingle}, {alpha, kSingle}, count}, frame, out, bad_index};
+}
+
+// NULL, COUNT and SIZE; *out and *bad_index get their values for an error.
+Status begin(const Request& request) {
+  if (request.bad_index) *request.bad_index = kNoIndex;
+  if (!request.out) return Status::null;
+  *request.out = nullptr;
+  const KeyframeInput& input = request.input;
+  if (input.count > 0 && (!input.times || !input.q_wb.data)) return Status::null;
+  if (input.count < 2) return Status::count;
+  size_t bytes;
+  return capi::array_bytes(input.count, 4 * sizeof(double), bytes) ? Status::ok : Status::size;
+}
+
+qtraj_status finish(const Request& request, const Outcome& outcome, Trajectory* built) {
+  if (outcome.status == Status::ok) *request.out = reinterpret_cast<qtraj_trajectory*>(built);
+  return capi::report(outcome, request.bad_index);
+}
+
+qtraj_status create_on_heap(const Options& options, const Request& request) {
+  TrajectorySize size;
+  if (!trajectory_size(options, request.input.count, size)) return QTRAJ_E_SIZE;
+  const Frame frame = static_cast<Frame>(request.frame);
+  const Status settings = check_settings(options, request.input, frame);
+  if (settings != Status::ok) return capi::to_c(settings);
+
+  void* handle = std::malloc(size.handle);
+  void* workspace = std::malloc(size.workspace);
+  Outcome outcome = {Status::no_memory, kNoIndex};
+  Trajectory* built = nullptr;
+  if (handle && workspace) outcome = build_trajectory(options, request.input, frame, handle, workspace, &built);
+  std::free(workspace);
+  if (outcome.status == Status::ok)
+    built->on_heap = true;
+  else
+    std::free(handle);
+  return finish(request, outcome, built);
+}
+
+qtraj_status create_with_method(int32_t method, const Request& request) {
+  const Status status = begin(request);
+  if (status != Status::ok) return capi::to_c(status);
+  Options options;
+  if (Options::make(static_cast<Method>(method), options) != Status::ok) return QTRAJ_E_OPTION;
+  return create_on_heap(options, request);
+}
+
+qtraj_status create_with_options(const qtraj_options* options, const Request& request) {
+  const Status status = begin(request);
+  if (!options) return QTRAJ_E_NULL;
+  if (status != Status::ok) return capi::to_c(status);
+  return create_on_heap(options->core, request);
+}
+
+qtraj_status create_with_given_rates(const qtraj_options* options, const Request& request) {
+  const Status status = begin(request);
+  if (request.input.count > 0 && !request.input.omega.data) return QTRAJ_E_NULL;
+  return status != Status::ok ? capi::to_c(status) : create_with_options(options, request);
+}
+
+bool overlaps_input(const capi::Array& memory, const qtraj_options* options, const Request& request) {
+  const KeyframeInput& input = request.input;
+  const size_t row_of_3 = 3 * input.count * request.element_bytes();
+  return capi::overlap(memory, {input.times, input.count * sizeof(double)}) ||
+         capi::overlap(memory, {input.q_wb.data, 4 * input.count * request.element_bytes()}) ||
+         capi::overlap(memory, {input.omega.data, row_of_3}) || capi::overlap(memory, {input.alpha.data, row_of_3}) ||
+         capi::overlap(memory, {options, sizeof *options});
+}
+
+qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* options, const Request& request) {
+  const Status status = begin(request);
+  if (!memory || !options) return QTRAJ_E_NULL;
+  if (status != Status::ok) return capi::to_c(status);
+  TrajectorySize size;
+  if (!trajectory_size(options->core, request.input.count, size)) return QTRAJ_E_SIZE;
+  const Frame frame = static_cast<Frame>(request.frame);
+  const Status settings = check_settings(options->core, request.input, frame);
+  if (settings != Status::ok) return capi::to_c(settings);
+  const size_t needed = size.handle + size.workspace;
+  if (bytes < needed || !capi::is_aligned(memory)) return QTRAJ_E_BUFFER;
+  if (overlaps_input({memory, needed}, options, request)) return QTRAJ_E_OVERLAP;
+
+  Trajectory* built = nullptr;
+  const Outcome outcome =
+      build_trajectory(options->core, request.input, frame, memory, static_cast<char*>(memory) + size.handle, &built);
+  return finish(request, outcome, built);
+}
+
+}  // namespace
+
+extern "C" {
+
+qtraj_status qtraj_create(int32_t method, const double* times, const double* q_wb, size_t count, qtraj_trajectory** out,
+                          size_t* bad_index) {
+  return create_with_method(method, request<double>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
+                              qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_method(method, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with(const qtraj_options* options, const double* times, const double* q_wb, size_t count,
+                               qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_options(options, request<double>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_f32(const qtraj_options* options, const double* times, const float* q_wb, size_t count,
+                                   qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_options(options, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_rates(const qtraj_options* options, const double* times, const double* q_wb,
+                                     int32_t frame, const double* omega, const double* alpha, size_t count,
+                                     qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, const double* times, const float* q_wb,
+                                         int32_t frame, const float* omega, const float* alpha, size_t count,
+                                         qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+}
+
+qtraj_status qtraj_size(const qtraj_options* options, size_t count, size_t* bytes) {
+  if (!options || !bytes) return QTRAJ_E_NULL;
+  if (count < 2) return QTRAJ_E_COUNT;
+  TrajectorySize size;
+  if (!trajectory_size(options->core, count, size)) return QTRAJ_E_SIZE;
+  *bytes = size.handle + size.workspace;
+  return QTRAJ_OK;
+}
+
+qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                        const double* q_wb, int32_t frame, const double* omega, const double* alpha, size_t count,
+                        qtraj_trajectory** out, size_t* bad_index) {
+  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+}
+
+qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                            const float* q_wb, int32_t frame, const float* omega, const float* alpha, size_t count,
+                            qtraj_trajectory** out, size_t* bad_index) {
+  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+}
+
+void qtraj_destroy(qtraj_trajectory* trajectory) {
+  if (trajectory && trajectory->core.on_heap) std::free(trajectory);
+}
+
+}  // extern "C"

@@ -1,0 +1,68 @@
+#include <cstdlib>
+#include <new>
+
+#include "translate.hpp"
+
+using namespace qtraj;
+using capi::to_c;
+
+static_assert(sizeof(qtraj_options) <= QTRAJ_OPTIONS_BYTES);
+static_assert(alignof(qtraj_options) <= 8);
+
+extern "C" {
+
+qtraj_status qtraj_options_create(int32_t method, qtraj_options** out) {
+  if (!out) return QTRAJ_E_NULL;
+  *out = nullptr;
+  Options core;
+  const Status status = Options::make(static_cast<Method>(method), core);
+  if (status != Status::ok) return to_c(status);
+  void* memory = std::malloc(sizeof(qtraj_options));
+  if (!memory) return QTRAJ_E_NO_MEMORY;
+  *out = new (memory) qtraj_options{core, true};
+  return QTRAJ_OK;
+}
+
+qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtraj_options** out) {
+  if (!out) return QTRAJ_E_NULL;
+  *out = nullptr;
+  if (!memory) return QTRAJ_E_NULL;
+  Options core;
+  const Status status = Options::make(static_cast<Method>(method), core);
+  if (status != Status::ok) return to_c(status);
+  if (bytes < QTRAJ_OPTIONS_BYTES || !capi::is_aligned(memory)) return QTRAJ_E_BUFFER;
+  *out = new (memory) qtraj_options{core, false};
+  return QTRAJ_OK;
+}
+
+void qtraj_options_destroy(qtraj_options* options) {
+  if (options && options->on_heap) std::free(options);
+}
+
+qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end) {
+  if (!options) return QTRAJ_E_NULL;
+  return to_c(options->core.set_ends(static_cast<End>(start), static_cast<End>(end)));
+}
+
+qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
+                                         const double* omega_end) {
+  if (!options) return QTRAJ_E_NULL;
+  return to_c(options->core.set_end_rates(static_cast<Frame>(frame), omega_start, omega_end));
+}
+
+qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_t rule) {
+  if (!options) return QTRAJ_E_NULL;
+  return to_c(options->core.set_tangents(static_cast<Tangent>(rule)));
+}
+
+qtraj_status qtraj_options_set_reference(qtraj_options* options, int32_t rule, const double* q_wb) {
+  if (!options) return QTRAJ_E_NULL;
+  return to_c(options->core.set_reference(static_cast<Reference>(rule), q_wb));
+}
+
+qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after) {
+  if (!options) return QTRAJ_E_NULL;
+  return to_c(options->core.set_extrapolation(static_cast<Extrapolate>(before), static_cast<Extrapolate>(after)));
+}
+
+}  // extern "C"
