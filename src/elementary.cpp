@@ -9,12 +9,13 @@
 namespace qtraj {
 namespace {
 
-// x (c1 + c2 x + ...): a polynomial less its constant term, which callers add last so that it rounds once.
+// A polynomial without its first `skip` terms: callers add those last, so that they round once.
 template <std::size_t Terms>
-double tail(const double (&coefficients)[Terms], double x) {
+double tail(const double (&coefficients)[Terms], std::size_t skip, double x) {
   double sum = coefficients[Terms - 1];
-  for (std::size_t k = Terms - 2; k >= 1; --k) sum = sum * x + coefficients[k];
-  return sum * x;
+  for (std::size_t k = Terms - 1; k-- > skip;) sum = sum * x + coefficients[k];
+  for (std::size_t k = 0; k < skip; ++k) sum *= x;
+  return sum;
 }
 
 // pi/2 to 159 bits.
@@ -29,18 +30,21 @@ SinCos sin_cos(double x) {
   if (x > kFar) x = kFar;
   if (x < -kFar) x = -kFar;
 
-  // x = quarters pi/2 + high + low; x - multiple.value is exact, the two being within a factor of 2 or the second 0
+  // x = quarters pi/2 + high + low, without loss where x is close to a multiple of pi/2: x less the first product is
+  // exact, the two being within a factor of 2 or the second 0, and so is each step but the last
   const double quarters = round_to_integer(x * 0x1.45f306dc9c883p-1);
-  const Exact multiple = two_product(quarters, kHalfPi);
-  const double remainder = x - multiple.value;
-  const double correction = multiple.error + (quarters * kHalfPiLow + quarters * kHalfPiLowest);
-  const double high = remainder - correction;
-  const double low = (remainder - high) - correction;
+  const Exact product = two_product(quarters, kHalfPi), product_low = two_product(quarters, kHalfPiLow);
+  const Exact once = two_sum(x - product.value, -product.error);
+  const Exact twice = two_sum(once.value, -product_low.value);
+  const double rest = (once.error + twice.error) - (product_low.error + quarters * kHalfPiLowest);
+  const double high = twice.value + rest;
+  const double low = (twice.value - high) + rest;
 
   const double y = high * high;
-  const double cos_tail = tail(CosArc::kDouble, y);
-  const double s = high + (high * tail(SincArc::kDouble, y) + low * (1.0 + cos_tail));
-  const double c = 1.0 + (cos_tail - high * low);
+  const double s = high + (high * tail(SincArc::kDouble, 1, y) + low);
+  // 1 - y/2 rounded, what the rounding left, and the small terms
+  const double leading = 1.0 - 0.5 * y;
+  const double c = leading + (((1.0 - leading) - 0.5 * y) + (tail(CosArc::kDouble, 2, y) - high * low));
   switch (static_cast<std::int64_t>(quarters) & 3) {
     case 0:
       return {s, c};
@@ -72,7 +76,7 @@ double atan2(double y, double x) {
                               0x1.921fb54442d18p+1};
   constexpr double kLow[] = {0, 0x1.1a62633145c07p-55, 0x1.1a62633145c07p-54, 0x1.a79394c9e8a0ap-54,
                              0x1.1a62633145c07p-53};
-  const double atan_tail = ratio * tail(AtanRatio::kDouble, ratio * ratio);
+  const double atan_tail = ratio * tail(AtanRatio::kDouble, 1, ratio * ratio);
   const double magnitude =
       eighths == 0 ? ratio + atan_tail : kHigh[eighths] + (sign * ratio + (sign * atan_tail + kLow[eighths]));
   return y < 0 ? -magnitude : magnitude;

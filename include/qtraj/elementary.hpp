@@ -11,7 +11,7 @@ struct SinCos {
 // quarter of a radian and more apart, x counts as +-2^50: finite and on the unit circle, but no direction is meant.
 SinCos sin_cos(double x);
 
-// Angle of the point (x, y), rad, in (-pi, pi], for |x|, |y| <= DBL_MAX / 2; 0 at the origin. Error below 1 ulp.
+// Angle of the point (x, y), rad, in (-pi, pi], for |x|, |y| <= DBL_MAX / 2; 0 at the origin. Error below 2 ulp.
 // The sign of a zero is not looked at: atan2(-0.0, -1.0) is pi.
 double atan2(double y, double x);
 

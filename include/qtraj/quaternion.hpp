@@ -70,7 +70,7 @@ struct Normalized {
   double norm;  // of the input; DBL_MAX where it would overflow
 };
 
-// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30, |error| below 2e-16.
+// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30, |error| below 1 eps.
 Normalized normalize(const Quaternion& q);
 
 inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {
