@@ -1,0 +1,93 @@
+// Handles that free themselves, and one name for the double and the float twin of every function of the C API.
+#ifndef QTRAJ_TESTS_CAPI_HANDLES_HPP
+#define QTRAJ_TESTS_CAPI_HANDLES_HPP
+
+#include <qtraj.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace capi {
+
+struct Destroy {
+  void operator()(qtraj_trajectory* trajectory) const { qtraj_destroy(trajectory); }
+  void operator()(qtraj_options* options) const { qtraj_options_destroy(options); }
+};
+using Trajectory = std::unique_ptr<qtraj_trajectory, Destroy>;
+using Options = std::unique_ptr<qtraj_options, Destroy>;
+
+constexpr int32_t kMethods[] = {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_SQUAD, QTRAJ_LOG_SPLINE};
+
+// No constant of any enumeration, now or later: values are appended one by one.
+constexpr int32_t kUnknown[] = {-1, 1000, INT32_MAX, INT32_MIN};
+
+// Calls body(double()) and body(float()).
+template <class Body>
+void for_double_and_float(Body&& body) {
+  body(double());
+  body(float());
+}
+
+inline qtraj_status create(int32_t method, const double* times, const double* q, size_t count, qtraj_trajectory** out,
+                           size_t* bad_index) {
+  return qtraj_create(method, times, q, count, out, bad_index);
+}
+inline qtraj_status create(int32_t method, const double* times, const float* q, size_t count, qtraj_trajectory** out,
+                           size_t* bad_index) {
+  return qtraj_create_f32(method, times, q, count, out, bad_index);
+}
+inline qtraj_status create_with(const qtraj_options* options, const double* times, const double* q, size_t count,
+                                qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_create_with(options, times, q, count, out, bad_index);
+}
+inline qtraj_status create_with(const qtraj_options* options, const double* times, const float* q, size_t count,
+                                qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_create_with_f32(options, times, q, count, out, bad_index);
+}
+inline qtraj_status create_with_rates(const qtraj_options* options, const double* times, const double* q, int32_t frame,
+                                      const double* omega, const double* alpha, size_t count, qtraj_trajectory** out,
+                                      size_t* bad_index) {
+  return qtraj_create_with_rates(options, times, q, frame, omega, alpha, count, out, bad_index);
+}
+inline qtraj_status create_with_rates(const qtraj_options* options, const double* times, const float* q, int32_t frame,
+                                      const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
+                                      size_t* bad_index) {
+  return qtraj_create_with_rates_f32(options, times, q, frame, omega, alpha, count, out, bad_index);
+}
+inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, const double* times, const double* q,
+                         int32_t frame, const double* omega, const double* alpha, size_t count, qtraj_trajectory** out,
+                         size_t* bad_index) {
+  return qtraj_init(memory, bytes, options, times, q, frame, omega, alpha, count, out, bad_index);
+}
+inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, const double* times, const float* q,
+                         int32_t frame, const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
+                         size_t* bad_index) {
+  return qtraj_init_f32(memory, bytes, options, times, q, frame, omega, alpha, count, out, bad_index);
+}
+inline qtraj_status sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
+                           size_t* bad_index) {
+  return qtraj_sample(trajectory, times, count, q_out, bad_index);
+}
+inline qtraj_status sample(const qtraj_trajectory* trajectory, const double* times, size_t count, float* q_out,
+                           size_t* bad_index) {
+  return qtraj_sample_f32(trajectory, times, count, q_out, bad_index);
+}
+inline qtraj_status sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
+                                   double* q_out, size_t* bad_index) {
+  return qtraj_sample_uniform(trajectory, start, step, count, q_out, bad_index);
+}
+inline qtraj_status sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
+                                   float* q_out, size_t* bad_index) {
+  return qtraj_sample_uniform_f32(trajectory, start, step, count, q_out, bad_index);
+}
+inline qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out) {
+  return qtraj_sample_at(trajectory, time, cursor, q_out);
+}
+inline qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, float* q_out) {
+  return qtraj_sample_at_f32(trajectory, time, cursor, q_out);
+}
+
+}  // namespace capi
+
+#endif

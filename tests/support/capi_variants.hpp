@@ -1,0 +1,166 @@
+// Every method with every setting that changes its curve, and keyframes that all of them accept.
+#ifndef QTRAJ_TESTS_CAPI_VARIANTS_HPP
+#define QTRAJ_TESTS_CAPI_VARIANTS_HPP
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/capi_handles.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace capi {
+
+struct Variant {
+  std::string name;
+  int32_t method;
+  int32_t end = QTRAJ_END_DEFAULT;
+  int32_t tangents = QTRAJ_TANGENT_DEFAULT;
+  int32_t reference = QTRAJ_REFERENCE_DEFAULT;
+
+  bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN; }
+};
+
+inline std::vector<Variant> variants() {
+  std::vector<Variant> all = {{"SLERP", QTRAJ_SLERP}, {"NLERP", QTRAJ_NLERP}};
+  const std::pair<const char*, int32_t> squad_ends[] = {{"CHORD", QTRAJ_END_CHORD},
+                                                        {"ESTIMATED", QTRAJ_END_ESTIMATED},
+                                                        {"GIVEN", QTRAJ_END_GIVEN},
+                                                        {"PERIODIC", QTRAJ_END_PERIODIC}};
+  for (const auto& end : squad_ends) {
+    all.push_back({std::string("SQUAD CATMULL_ROM ") + end.first, QTRAJ_SQUAD, end.second, QTRAJ_TANGENT_CATMULL_ROM});
+    all.push_back(
+        {std::string("SQUAD MEAN_VELOCITY ") + end.first, QTRAJ_SQUAD, end.second, QTRAJ_TANGENT_MEAN_VELOCITY});
+  }
+  all.push_back({"SQUAD with rates", QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN});
+  const std::pair<const char*, int32_t> spline_ends[] = {
+      {"NATURAL", QTRAJ_END_NATURAL}, {"NOT_A_KNOT", QTRAJ_END_NOT_A_KNOT}, {"PERIODIC", QTRAJ_END_PERIODIC}};
+  for (const auto& end : spline_ends)
+    for (const int32_t reference : {QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_MEAN, QTRAJ_REFERENCE_GIVEN})
+      all.push_back({std::string("LOG_SPLINE ") + end.first + " reference " + std::to_string(reference),
+                     QTRAJ_LOG_SPLINE, end.second, QTRAJ_TANGENT_DEFAULT, reference});
+  return all;
+}
+
+// Options of a variant. Given rates at the ends are `rate`, rad/s, about a fixed axis, body frame.
+inline Options make_options(const Variant& variant, double rate = 0.25) {
+  qtraj_options* options = nullptr;
+  REQUIRE(qtraj_options_create(variant.method, &options) == QTRAJ_OK);
+  Options owner(options);
+  if (variant.end != QTRAJ_END_DEFAULT) REQUIRE(qtraj_options_set_ends(options, variant.end, variant.end) == QTRAJ_OK);
+  if (variant.end == QTRAJ_END_GIVEN) {
+    const double omega[3] = {0.6 * rate, 0, -0.8 * rate};
+    REQUIRE(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, omega, omega) == QTRAJ_OK);
+  }
+  if (variant.tangents != QTRAJ_TANGENT_DEFAULT)
+    REQUIRE(qtraj_options_set_tangents(options, variant.tangents) == QTRAJ_OK);
+  if (variant.reference != QTRAJ_REFERENCE_DEFAULT) {
+    const double q_wb[4] = {1.5, 0.2, -0.1, 0.3};
+    const bool given = variant.reference == QTRAJ_REFERENCE_GIVEN;
+    REQUIRE(qtraj_options_set_reference(options, variant.reference, given ? q_wb : nullptr) == QTRAJ_OK);
+  }
+  return owner;
+}
+
+template <class Real>
+struct Keyframes {
+  std::vector<double> times;
+  std::vector<Real> q;
+
+  size_t count() const { return times.size(); }
+};
+
+// A closed tour on uneven knots, neither unit nor sign-continuous; count >= 3.
+template <class Real>
+Keyframes<Real> closed_tour(size_t count) {
+  Keyframes<Real> keys;
+  test::Random random(count);
+  double time = -2.0;
+  for (size_t key = 0; key < count; ++key) {
+    const double phase = 6.283185307179586 * static_cast<double>(key) / static_cast<double>(count - 1);
+    const bool closes = key + 1 == count;
+    const double x = closes ? 0.0 : std::sin(phase), y = closes ? 0.0 : 1.0 - std::cos(phase);
+    const double scale = (key % 3 == 1 ? -1.0 : 1.0) * (1.0 + 0.01 * static_cast<double>(key % 5));
+    for (const double component : {1.0, 0.5 * x, 0.4 * y, 0.3 * x * y}) keys.q.push_back(Real(scale * component));
+    keys.times.push_back(time);
+    time += random.uniform(0.2, 1.5);
+  }
+  return keys;
+}
+
+// Body rates at the keys for variants that need them, small enough for the tour.
+template <class Real>
+std::vector<Real> rates_for(const Variant& variant, size_t count, double rate = 0.25) {
+  std::vector<Real> omega;
+  if (!variant.needs_rates()) return omega;
+  for (size_t i = 0; i < 3 * count; ++i) omega.push_back(Real(rate * (static_cast<double>(i % 5) - 2.0) / 4.0));
+  return omega;
+}
+
+struct Built {
+  qtraj_status status;
+  size_t bad_index;
+  Trajectory trajectory;
+};
+
+// create_with, or create_with_rates in the body frame where there are rates.
+template <class Real>
+Built build(const qtraj_options* options, const Keyframes<Real>& keys, const std::vector<Real>& omega = {}) {
+  qtraj_trajectory* out = nullptr;
+  size_t bad_index = 0;
+  const qtraj_status status =
+      omega.empty() ? create_with(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
+                    : create_with_rates(options, keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, omega.data(),
+                                        nullptr, keys.count(), &out, &bad_index);
+  return {status, bad_index, Trajectory(out)};
+}
+template <class Real>
+Trajectory must_build(const qtraj_options* options, const Keyframes<Real>& keys, const std::vector<Real>& omega = {}) {
+  Built built = build(options, keys, omega);
+  REQUIRE(built.status == QTRAJ_OK);
+  return std::move(built.trajectory);
+}
+
+template <class Real>
+std::vector<Real> must_sample(const qtraj_trajectory* trajectory, const std::vector<double>& times) {
+  std::vector<Real> q(4 * times.size());
+  REQUIRE(sample(trajectory, times.data(), times.size(), q.data(), nullptr) == QTRAJ_OK);
+  return q;
+}
+
+// Knots, places between them, and, with extrapolation, times on both sides.
+inline std::vector<double> times_in(const std::vector<double>& knots, size_t per_segment) {
+  std::vector<double> times;
+  for (size_t i = 0; i + 1 < knots.size(); ++i)
+    for (size_t k = 0; k < per_segment; ++k) {
+      const double u = static_cast<double>(k) / static_cast<double>(per_segment);
+      times.push_back(std::min((1.0 - u) * knots[i] + u * knots[i + 1], knots[i + 1]));
+    }
+  times.push_back(knots.back());
+  return times;
+}
+
+template <class Real>
+bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)) == 0;
+}
+
+// Largest | |q| - 1 | of the rows in eps of their type, infinity where a row is not finite.
+template <class Real>
+double worst_norm_error(const std::vector<Real>& q) {
+  double worst = 0;
+  for (size_t i = 0; i < q.size(); i += 4) {
+    double sum = 0;
+    for (size_t k = i; k < i + 4; ++k) sum += static_cast<double>(q[k]) * static_cast<double>(q[k]);
+    const double error = std::abs(std::sqrt(sum) - 1.0) / static_cast<double>(std::numeric_limits<Real>::epsilon());
+    worst = error <= worst ? worst : error < 1e300 ? error : std::numeric_limits<double>::infinity();
+  }
+  return worst;
+}
+
+}  // namespace capi
+
+#endif
