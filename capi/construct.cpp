@@ -1,4 +1,3 @@
-#include <cstdlib>
 
 #include "qtraj/keyframes.hpp"
 #include "translate.hpp"
@@ -48,16 +47,16 @@ qtraj_status create_on_heap(const Options& options, const Request& request) {
   const Status settings = check_settings(options, request.input, frame);
   if (settings != Status::ok) return capi::to_c(settings);
 
-  void* handle = std::malloc(size.handle);
-  void* workspace = std::malloc(size.workspace);
+  void* handle = capi::allocate(size.handle);
+  void* workspace = capi::allocate(size.workspace);
   Outcome outcome = {Status::no_memory, kNoIndex};
   Trajectory* built = nullptr;
   if (handle && workspace) outcome = build_trajectory(options, request.input, frame, handle, workspace, &built);
-  std::free(workspace);
+  capi::release(workspace);
   if (outcome.status == Status::ok)
     built->on_heap = true;
   else
-    std::free(handle);
+    capi::release(handle);
   return finish(request, outcome, built);
 }
 
@@ -168,7 +167,7 @@ qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* opt
 }
 
 void qtraj_destroy(qtraj_trajectory* trajectory) {
-  if (trajectory && trajectory->core.on_heap) std::free(trajectory);
+  if (trajectory && trajectory->core.on_heap) capi::release(trajectory);
 }
 
 }  // extern "C"

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <new>
 
 #include "translate.hpp"
@@ -17,7 +16,7 @@ qtraj_status qtraj_options_create(int32_t method, qtraj_options** out) {
   Options core;
   const Status status = Options::make(static_cast<Method>(method), core);
   if (status != Status::ok) return to_c(status);
-  void* memory = std::malloc(sizeof(qtraj_options));
+  void* memory = capi::allocate(sizeof(qtraj_options));
   if (!memory) return QTRAJ_E_NO_MEMORY;
   *out = new (memory) qtraj_options{core, true};
   return QTRAJ_OK;
@@ -36,7 +35,7 @@ qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtra
 }
 
 void qtraj_options_destroy(qtraj_options* options) {
-  if (options && options->on_heap) std::free(options);
+  if (options && options->on_heap) capi::release(options);
 }
 
 qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end) {

@@ -1,5 +1,8 @@
 #include "translate.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+
 namespace qtraj::capi {
 
 qtraj_status to_c(Status status) {
@@ -54,5 +57,18 @@ bool array_bytes(size_t count, size_t element_bytes, size_t& bytes) {
 }
 
 bool is_aligned(const void* memory) { return reinterpret_cast<uintptr_t>(memory) % 8 == 0; }
+
+void* allocate(size_t bytes) {
+  const int saved = errno;
+  void* memory = std::malloc(bytes);
+  errno = saved;
+  return memory;
+}
+
+void release(void* memory) {
+  const int saved = errno;
+  std::free(memory);
+  errno = saved;
+}
 
 }  // namespace qtraj::capi

@@ -34,4 +34,8 @@ bool array_bytes(size_t count, size_t element_bytes, size_t& bytes);
 
 bool is_aligned(const void* memory);  // to 8 bytes
 
+// malloc and free that leave errno alone.
+void* allocate(size_t bytes);
+void release(void* memory);
+
 }  // namespace qtraj::capi
