@@ -77,8 +77,10 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
 
 Vector3 right_jacobian(const Vector3& r, const Vector3& d) {
   const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
-  const Vector3 once = cross(r, d), twice = cross(r, once);
-  return d - (0.5 * f.k * f.k) * once + (0.25 * (f.k * f.k - f.c * f.d)) * twice;
+  // the factors go with d: for r of many turns r x (r x d) could overflow where its multiple does not
+  const Vector3 first = cross(r, (0.5 * f.k * f.k) * d);
+  const Vector3 second = cross(r, cross(r, (0.25 * (f.k * f.k - f.c * f.d)) * d));
+  return d - first + second;
 }
 
 }  // namespace qtraj
