@@ -23,22 +23,37 @@ constexpr double kHalfPi = 0x1.921fb54442d18p+0;
 constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
 constexpr double kHalfPiLowest = -0x1.f1976b7ed8fbcp-110;
 
+// x = quarters pi/2 + high + low, without loss where x is close to a multiple of pi/2.
+struct Reduced {
+  double quarters, high, low;
+};
+
+Reduced subtract_quarters(double x, double quarters) {
+  // x less the first product is exact, the two being within a factor of 2 or the second 0, and so is each step but the
+  // last
+  const Exact product = two_product(quarters, kHalfPi), product_low = two_product(quarters, kHalfPiLow);
+  const Exact once = two_sum(x - product.value, -product.error);
+  const Exact twice = two_sum(once.value, -product_low.value);
+  const double rest = (once.error + twice.error) - (product_low.error + quarters * kHalfPiLowest);
+  const double high = twice.value + rest;
+  return {quarters, high, (twice.value - high) + rest};
+}
+
+Reduced reduce(double x) {
+  constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1;
+  const Reduced first = subtract_quarters(x, round_to_integer(x * kQuartersPerRadian));
+  // of many turns the first count may be a quarter off: its product was rounded
+  const double missed = round_to_integer(first.high * kQuartersPerRadian);
+  return missed == 0 ? first : subtract_quarters(x, first.quarters + missed);
+}
+
 }  // namespace
 
 SinCos sin_cos(double x) {
   constexpr double kFar = 0x1p50;
   if (x > kFar) x = kFar;
   if (x < -kFar) x = -kFar;
-
-  // x = quarters pi/2 + high + low, without loss where x is close to a multiple of pi/2: x less the first product is
-  // exact, the two being within a factor of 2 or the second 0, and so is each step but the last
-  const double quarters = round_to_integer(x * 0x1.45f306dc9c883p-1);
-  const Exact product = two_product(quarters, kHalfPi), product_low = two_product(quarters, kHalfPiLow);
-  const Exact once = two_sum(x - product.value, -product.error);
-  const Exact twice = two_sum(once.value, -product_low.value);
-  const double rest = (once.error + twice.error) - (product_low.error + quarters * kHalfPiLowest);
-  const double high = twice.value + rest;
-  const double low = (twice.value - high) + rest;
+  const auto [quarters, high, low] = reduce(x);
 
   const double y = high * high;
   const double s = high + (high * tail(SincArc::kDouble, 1, y) + low);

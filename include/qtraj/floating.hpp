@@ -28,10 +28,14 @@ static inline bool is_finite(float value) {
   return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-// Nearest integer, ties to even, for |value| < 2^51: no libm call and no conversion.
+// Nearest integer for |value| < 2^51, ties to even: no libm call and no conversion. Where the caller has set another
+// rounding mode, still an integer within one half.
 static inline double round_to_integer(double value) {
   constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: its last bit is worth 1
-  return (value + kShift) - kShift;
+  const double rounded = (value + kShift) - kShift;
+  if (rounded - value > 0.5) return rounded - 1.0;
+  if (value - rounded > 0.5) return rounded + 1.0;
+  return rounded;
 }
 
 }  // namespace qtraj
