@@ -41,12 +41,12 @@ Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double
   Neighbours nodes{};
   size_t count = 0;
   for (size_t k = 1; k <= most && k < keys.count; ++k) {
-    // gaps far larger or smaller than h: their quotients would overflow, or be divided by
+    // much closer neighbours have too large weights, much farther ones none at all, and their quotients could overflow
     constexpr double kFar = 0x1p300, kNear = 1e-3;
     const double gap = std::abs(keys.times[key(k)] - keys.times[key(k - 1)]);
     const double distance = std::abs(keys.times[key(k)] - keys.times[key(0)]);
-    if (gap < kNear * h) break;
-    nodes.at[k] = distance * (1.0 / kFar) > h ? kFar : distance / h;
+    if (gap < kNear * h || distance * (1.0 / kFar) > h) break;
+    nodes.at[k] = distance / h;
     if (!weights_are_small(nodes, k)) break;
     count = k;
   }

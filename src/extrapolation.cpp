@@ -8,6 +8,10 @@
 namespace qtraj {
 
 void extrapolate(const Extrapolation& side, double time, double* q) {
+  if (side.rate == 0) {  // not m * 1 + e * 0, which would lose the sign of a zero
+    for (int k = 0; k < 4; ++k) q[k] = side.m[k];
+    return;
+  }
   const bool past_far = side.far_time > side.knot ? time > side.far_time : time < side.far_time;
   const SinCos at = sin_cos(side.rate * ((past_far ? side.far_time : time) - side.knot));
   for (int k = 0; k < 4; ++k) q[k] = side.m[k] * at.cos + side.e[k] * at.sin;

@@ -9,18 +9,10 @@
 namespace qtraj {
 namespace {
 
-template <int Width>
-bool row_is_finite(const Rows<Width>& rows, size_t row) {
-  if (!rows.data) return true;
-  const typename Rows<Width>::Row values = rows[row];
-  for (int k = 0; k < Width; ++k)
-    if (!is_finite(values[k])) return false;
-  return true;
-}
-
 Status check_keyframe(const KeyframeInput& input, size_t key) {
-  const bool finite = is_finite(input.times[key]) && row_is_finite(input.q_wb, key) &&
-                      row_is_finite(input.omega, key) && row_is_finite(input.alpha, key);
+  const bool finite = is_finite(input.times[key]) && input.q_wb.is_finite(key) &&
+                      (!input.omega.data || input.omega.is_finite(key)) &&
+                      (!input.alpha.data || input.alpha.is_finite(key));
   if (!finite) return Status::not_finite;
   if (largest_component(input.q_wb[key]) == 0) return Status::zero_norm;
   return check_knot(input.times, key);

@@ -50,9 +50,9 @@ Status Options::set_ends(End start_condition, End end_condition) {
 }
 
 Status Options::set_end_rates(Frame frame, const double* omega_start, const double* omega_end) {
-  if (!find_method(method)->accepts_end(End::given) || !is_known(frame)) return Status::option;
   const Status at_start = check_end_rate(start, omega_start), at_end = check_end_rate(end, omega_end);
   if (at_start == Status::null || at_end == Status::null) return Status::null;
+  if (!find_method(method)->accepts_end(End::given) || !is_known(frame)) return Status::option;
   if (at_start != Status::ok || at_end != Status::ok) return Status::option;
 
   Vector3 start_rate = start.omega, end_rate = end.omega;

@@ -29,16 +29,16 @@ Vector3 rule_half_rate(Tangent rule, const Vector3& log_before, double h_before,
   return shares.right * v_before + shares.left * v_after;
 }
 
-// The largest factor in [0, 1] with |factor h s - L| <= pi.
-double tangent_limit(const Vector3& s, double h, const Vector3& log) {
+// s shortened to the largest factor in [0, 1] with |factor h s - L| <= pi.
+Vector3 limited(const Vector3& s, double h, const Vector3& log) {
   // x = h s, or, where that is far past any limit, the vector along it whose largest component is 8
   const double largest = largest_component(s);
   const bool far = largest > 8.0 / h;
-  const Vector3 x = far ? (8.0 / largest) * s : h * s;
+  const Vector3 x = far ? Vector3((8.0 / largest) * s) : Vector3(h * s);
   const double xx = dot(x, x), xl = dot(x, log), room = kPi * kPi - dot(log, log);
-  if (!(xx - 2.0 * xl > room)) return 1.0;
+  if (!(xx - 2.0 * xl > room)) return s;
   const double factor = (xl + std::sqrt(xl * xl + xx * room)) / xx;
-  return far ? factor * (8.0 / h / largest) : factor;
+  return (factor / h) * x;
 }
 
 // Whether a control at this rate would be 2 pi or more away from its chord.
@@ -80,10 +80,13 @@ class HalfRates {
 
   Status half_rate(size_t key, Vector3& s) const {
     const Options& options = construction_.options;
-    // where the rates at the keys are given, so are those at the ends, unless an end condition was chosen there
+    // where the rates at the keys are given, so are those at the ends, unless an end condition was chosen there; the
+    // last key of a closed curve counts as the first
     const EndSetting* end = key == 0 ? &options.start : key == keys_.segments() ? &options.end : nullptr;
-    const bool from_keys = options.tangents == Tangent::given && (!end || end->condition == End::standard);
-    if (from_keys) return given(construction_.input.omega[key], construction_.rate_frame, key, s);
+    const bool closed = options.closed();
+    const bool from_keys = options.tangents == Tangent::given && (!end || end->condition == End::standard || closed);
+    const size_t source = closed && key == keys_.segments() ? 0 : key;
+    if (from_keys) return given(construction_.input.omega[source], construction_.rate_frame, key, s);
     if (end && end->condition == End::given) return given(end->omega, options.rate_frame, key, s);
 
     const Sides at = sides(key);
@@ -91,10 +94,8 @@ class HalfRates {
       s = open_end(*end, key);
     else
       s = rule_half_rate(options.tangents, log(at.before), keys_.step(at.before), log(at.after), keys_.step(at.after));
-    double factor = 1.0;
-    if (at.has_before) factor = std::min(factor, tangent_limit(s, keys_.step(at.before), log(at.before)));
-    if (at.has_after) factor = std::min(factor, tangent_limit(s, keys_.step(at.after), log(at.after)));
-    s *= factor;
+    if (at.has_before) s = limited(s, keys_.step(at.before), log(at.before));
+    if (at.has_after) s = limited(s, keys_.step(at.after), log(at.after));
     return Status::ok;
   }
 

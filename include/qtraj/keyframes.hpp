@@ -1,6 +1,7 @@
 // The door for keyframes: caller's arrays are checked, normalised and made sign-continuous, once.
 #pragma once
 
+#include "qtraj/floating.hpp"
 #include "qtraj/quaternion.hpp"
 #include "qtraj/status.hpp"
 
@@ -13,6 +14,16 @@ struct Rows {
 
   const void* data;
   bool single;
+
+  // Told by the bits in memory: converting a signalling NaN would raise FE_INVALID.
+  bool is_finite(size_t row) const {
+    for (size_t at = row * Width; at < (row + 1) * Width; ++at) {
+      if (single ? !qtraj::is_finite(static_cast<const float*>(data)[at])
+                 : !qtraj::is_finite(static_cast<const double*>(data)[at]))
+        return false;
+    }
+    return true;
+  }
 
   Row operator[](size_t row) const {
     Row values;

@@ -53,6 +53,13 @@ Real dot(const Real (&a)[Size], const Real (&b)[Size]) {
   return sum;
 }
 
+// q (1.5 - |q|^2/2): unit length to rounding where |q| is within a few hundred eps of 1.
+template <class Arithmetic, class Real>
+void newton_normalize(Real (&q)[4]) {
+  const Real factor = Arithmetic::multiply_add(Real(-0.5), dot<Arithmetic>(q, q), Real(1.5));
+  for (Real& component : q) component *= factor;
+}
+
 // Polynomial with vector coefficients, rounded to Real, at x.
 template <class Arithmetic, class Real, size_t Terms, size_t Size>
 void vector_horner(const double (&coefficients)[Terms][Size], Real x, Real (&value)[Size]) {

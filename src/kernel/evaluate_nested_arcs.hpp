@@ -22,13 +22,6 @@ constexpr float opposite_limit<float>() {
   return 0x1p-12f;
 }
 
-// q (1.5 - |q|^2/2): unit length to rounding where |q| is within a few hundred eps of 1.
-template <class Arithmetic, class Real>
-void newton_normalize(Real (&q)[4]) {
-  const Real factor = Arithmetic::multiply_add(Real(-0.5), dot<Arithmetic>(q, q), Real(1.5));
-  for (Real& component : q) component *= factor;
-}
-
 template <class Arithmetic, class Real>
 void sample_arc(const NestedArcsSegment::Arc& arc, Real s, Real (&q)[4]) {
   const Real x = s * static_cast<Real>(arc.half_angle);

@@ -67,6 +67,8 @@ struct RotationVectorEvaluator {
       Real p[3];
       vector_horner<Arithmetic>(segment.c, static_cast<Real>(position<Arithmetic>(elapsed, segment.scale)), p);
       rotate_base<Arithmetic>(segment.base, cos_sinc<Arithmetic, static_cast<int>(Range)>(dot<Arithmetic>(p, p)), p, q);
+      // each doubling doubles the error of the norm
+      if constexpr (Range != ExponentRange::quarter_turn) newton_normalize<Arithmetic>(q);
     }
   }
 

@@ -27,7 +27,8 @@ bool may_overflow(const TimeSource& times, size_t count) {
 // start + i step, or infinity instead of an overflow, which would raise FE_OVERFLOW.
 double uniform_time_guarded(const TimeSource& times, double i) {
   constexpr double kInfinity = __builtin_inf();
-  if (magnitude(times.step) > 1 && i > kLargest / magnitude(times.step)) return kInfinity;
+  constexpr double kReduced = 0x1p-64;  // more than i has digits
+  if (magnitude(i * (kReduced * times.step)) > kReduced * kLargest) return kInfinity;
   const double offset = i * times.step;
   if (magnitude(0.5 * times.start + 0.5 * offset) > 0.5 * kLargest) return kInfinity;
   return times.start + offset;
