@@ -110,6 +110,35 @@ TEST_CASE("no curve jumps, for steps up to 179 degrees", "[continuity]") {
   }
 }
 
+TEST_CASE("samples of random curves are unit to 4 eps, however many turns they take", "[continuity]") {
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    Random random(seed);
+    const Keys keys = random_walk(random, 8, 179 * kDegree, seed % 2 == 0 ? 0.01 : 0.5, 2.0);
+    for (const int32_t method : {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_SQUAD, QTRAJ_LOG_SPLINE}) {
+      const Trajectory trajectory({method}, keys);
+      std::vector<double> times;
+      for (int i = 0; i <= 300; ++i)
+        times.push_back(keys.times.front() + i / 300.0 * (keys.times.back() - keys.times.front()));
+      times.back() = keys.times.back();
+      const std::vector<double> q = trajectory.sample(times);
+      const std::vector<float> q_f32 = trajectory.sample_f32(times);
+      double worst = 0, worst_f32 = 0;
+      for (size_t i = 0; i < times.size(); ++i) {
+        long double sum = 0, sum_f32 = 0;
+        for (size_t k = 4 * i; k < 4 * i + 4; ++k) {
+          sum += static_cast<long double>(q[k]) * q[k];
+          sum_f32 += static_cast<long double>(q_f32[k]) * q_f32[k];
+        }
+        worst = std::max(worst, static_cast<double>(std::abs(std::sqrt(sum) - 1)));
+        worst_f32 = std::max(worst_f32, static_cast<double>(std::abs(std::sqrt(sum_f32) - 1)));
+      }
+      CAPTURE(seed, method);
+      CHECK(worst <= 4 * 0x1p-52);
+      CHECK(worst_f32 <= 4 * 0x1p-23);
+    }
+  }
+}
+
 TEST_CASE("three turns about one axis come back from LOG_SPLINE", "[log_spline]") {
   Random random(3);
   for (const double degrees : {60.0, 90.0, 120.0}) {
