@@ -1,10 +1,10 @@
 // The C API from C++17: a unique_ptr owns the trajectory.
-#include "qtraj.h"
-
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <memory>
+
+#include "qtraj.h"
 
 int main() {
   const double half = std::sqrt(0.5);

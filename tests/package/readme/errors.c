@@ -1,0 +1,68 @@
+/* Every status of this version, bad_index, rows of NaN. */
+#include <math.h>
+#include <string.h>
+
+#include "claims.h"
+
+/* SQUAD through the keys, of which one has another time and another w. */
+static qtraj_status with_key(size_t key, double time, double w, size_t* bad) {
+  double t[count], q[count][4];
+  qtraj_trajectory* built;
+  qtraj_status status;
+  memcpy(t, times, sizeof t);
+  memcpy(q, keys, sizeof q);
+  t[key] = time;
+  q[key][0] = w;
+  status = qtraj_create(QTRAJ_SQUAD, t, q[0], count, &built, bad);
+  CHECK((built == NULL) == (status != QTRAJ_OK));
+  qtraj_destroy(built);
+  return status;
+}
+
+void check_errors(void) {
+  const double mixed[4] = {0.5, 8, NAN, 6.5}, uneven[4] = {0, 1e-153, 1e10, 2e10};
+  double q[4][4], spread[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  qtraj_trajectory *trajectory, *none;
+  qtraj_options* options;
+  size_t bad;
+  int32_t status;
+
+  CHECK(with_key(2, 1.5, 1, &bad) == QTRAJ_OK && bad == SIZE_MAX);
+  CHECK(with_key(2, 1.0, 1, &bad) == QTRAJ_E_TIME_ORDER && bad == 2);
+  CHECK(with_key(1, 7.4e-155, 1, &bad) == QTRAJ_E_TIME_ORDER && bad == 1);
+  CHECK(with_key(1, 7.5e-155, 1, &bad) == QTRAJ_OK);
+  CHECK(with_key(3, INFINITY, 1, &bad) == QTRAJ_E_NOT_FINITE && bad == 3);
+  CHECK(with_key(3, 3.0, NAN, &bad) == QTRAJ_E_NOT_FINITE && bad == 3);
+  {
+    double zero[3][4] = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, NAN, 0, 0}}; /* the lowest index decides */
+    CHECK(qtraj_create(QTRAJ_SLERP, times, zero[0], 3, &none, &bad) == QTRAJ_E_ZERO_NORM && bad == 1);
+  }
+  {
+    const double far[2] = {-1.7e308, 1.7e308};
+    CHECK(qtraj_create(QTRAJ_SLERP, far, keys[0], 2, &none, &bad) == QTRAJ_E_TIME_RANGE && bad == 1);
+  }
+  CHECK(qtraj_create(QTRAJ_LOG_SPLINE, uneven, spread[0], 4, &none, &bad) == QTRAJ_E_NOT_FINITE && none == NULL);
+
+  none = (qtraj_trajectory*)&none; /* not NULL */
+  CHECK(qtraj_create(0, times, keys[0], count, &none, &bad) == QTRAJ_E_OPTION && none == NULL && bad == SIZE_MAX);
+  CHECK(qtraj_create(QTRAJ_SLERP, NULL, keys[0], count, &none, NULL) == QTRAJ_E_NULL);
+  CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], 1, &none, NULL) == QTRAJ_E_COUNT);
+  CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], SIZE_MAX / 8, &none, NULL) == QTRAJ_E_SIZE);
+
+  options = options_of(QTRAJ_LOG_SPLINE);
+  CHECK(!qtraj_options_set_reference(options, QTRAJ_REFERENCE_MEAN, NULL));
+  CHECK(try_with(options, 2, times, spread, &bad) == QTRAJ_E_AMBIGUOUS);
+  qtraj_options_destroy(options);
+  qtraj_options_destroy(NULL);
+  qtraj_destroy(NULL);
+
+  trajectory = build(QTRAJ_SQUAD, count, times, keys);
+  CHECK(qtraj_sample(trajectory, mixed, 4, q[0], &bad) == QTRAJ_E_TIME_RANGE && bad == 1);
+  CHECK(!isnan(q[0][0]) && isnan(q[1][0]) && isnan(q[2][0]) && !isnan(q[3][0]));
+  q[0][0] = 3;
+  CHECK(qtraj_sample(trajectory, q[0], 4, q[0], NULL) == QTRAJ_E_OVERLAP && q[0][0] == 3);
+  CHECK(qtraj_sample(trajectory, NULL, 4, q[0], NULL) == QTRAJ_E_NULL && q[0][0] == 3);
+  CHECK(qtraj_sample(trajectory, mixed, 0, NULL, NULL) == QTRAJ_OK);
+  qtraj_destroy(trajectory);
+  for (status = -1; status < 20; ++status) CHECK(qtraj_status_text(status)[0] != '\0');
+}

@@ -1,0 +1,125 @@
+/* What becomes of the keys, memory, environment, bits. */
+#include <errno.h>
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "claims.h"
+
+static void check_keys(void) {
+  double q[4], messy[count][4];
+  qtraj_trajectory* trajectory;
+  int i, k, method;
+  size_t flips = 0;
+  for (i = 0; i < count; ++i)
+    for (k = 0; k < 4; ++k) messy[i][k] = (i % 3 == 1 ? -3.0 : 1.0) * keys[i][k];
+  for (i = 0; i < count; ++i) flips += i % 3 == 1;
+  for (method = 1; method <= methods; ++method) {
+    trajectory = build(method, count, times, messy);
+    CHECK(qtraj_sign_flips(trajectory) == flips);
+    CHECK(fabs(qtraj_worst_norm_error(trajectory) - 2) < 1e-14);
+    for (i = 0; i < count; ++i) {
+      qtraj_sample_at(trajectory, times[i], NULL, q);
+      for (k = 0; k < 4; ++k) CHECK(fabs(q[k] - keys[i][k]) < 4e-15);
+    }
+    CHECK(difference(trajectory, build(method, count, times, keys)) < 1e-14);
+  }
+  { /* half a turn apart: the sign given decides the way round */
+    double ahead[2][4] = {{1, 0, 0, 0}, {0, 0, 0, 1}}, back[2][4] = {{1, 0, 0, 0}, {0, 0, 0, -1}};
+    const double quarter = sqrt(0.5);
+    trajectory = build(QTRAJ_SLERP, 2, times, ahead);
+    qtraj_sample_at(trajectory, 0.5, NULL, q);
+    CHECK(fabs(q[3] - quarter) < 1e-15 && qtraj_sign_flips(trajectory) == 0 && qtraj_least_dot(trajectory) == 0);
+    qtraj_destroy(trajectory);
+    trajectory = build(QTRAJ_SLERP, 2, times, back);
+    qtraj_sample_at(trajectory, 0.5, NULL, q);
+    CHECK(fabs(q[3] + quarter) < 1e-15);
+    qtraj_destroy(trajectory);
+  }
+  { /* norms from 1e-160 to 1e160 */
+    double tiny[2][4] = {{1e-160, 0, 0, 0}, {0, 0, 0, 1e160}}, plain[2][4] = {{1, 0, 0, 0}, {0, 0, 0, 1}};
+    CHECK(difference(build(QTRAJ_SLERP, 2, times, tiny), build(QTRAJ_SLERP, 2, times, plain)) == 0);
+  }
+}
+
+/* Linked with --wrap=malloc: every allocation of the program and of the static library comes through here. */
+static size_t allocations = 0;
+void* __real_malloc(size_t bytes);
+void* __wrap_malloc(size_t bytes);
+void* __wrap_malloc(size_t bytes) {
+  ++allocations;
+  return __real_malloc(bytes);
+}
+
+static void check_memory_and_environment(void) {
+  static double memory[1024], options_memory[QTRAJ_OPTIONS_BYTES / sizeof(double)];
+  double q[3][4], several[3] = {6, 8, 0.5};
+  qtraj_options* options;
+  qtraj_trajectory* trajectory;
+  size_t bytes, before = allocations;
+  int method;
+
+  qtraj_destroy(build(QTRAJ_SLERP, count, times, keys));
+  CHECK(allocations > before); /* they are counted */
+  before = allocations;
+  errno = 42;
+  fesetround(FE_UPWARD);
+  feclearexcept(FE_ALL_EXCEPT);
+  for (method = 1; method <= methods; ++method) {
+    CHECK(!qtraj_options_init(options_memory, sizeof options_memory, method, &options));
+    CHECK(!qtraj_size(options, count, &bytes) && bytes <= sizeof memory);
+    CHECK(qtraj_init(memory, bytes - 1, options, times, keys[0], 0, NULL, NULL, count, &trajectory, NULL) ==
+          QTRAJ_E_BUFFER);
+    CHECK(qtraj_init((char*)memory + 4, sizeof memory - 4, options, times, keys[0], 0, NULL, NULL, count, &trajectory,
+                     NULL) == QTRAJ_E_BUFFER);
+    CHECK(!qtraj_init(memory, bytes, options, times, keys[0], 0, NULL, NULL, count, &trajectory, NULL));
+    qtraj_sample(trajectory, several, 3, q[0], NULL);
+    qtraj_sample_uniform(trajectory, 0, 1e300, 3, q[0], NULL);
+    qtraj_sample_at(trajectory, NAN, NULL, q[0]);
+    qtraj_destroy(trajectory);
+  }
+  CHECK(allocations == before);
+  CHECK(errno == 42);
+  CHECK(fegetround() == FE_UPWARD);
+  CHECK(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
+  fesetround(FE_TONEAREST);
+}
+
+static void check_bits(void) {
+  enum { samples = 200 };
+  static double at[samples], forward[samples][4], other[samples][4], backward[samples][4];
+  float single[4];
+  int method, i, k;
+  for (method = 1; method <= methods; ++method) {
+    qtraj_trajectory* trajectory = build(method, count, times, keys);
+    size_t cursor = 1234;
+    qtraj_sample_uniform(trajectory, 0.01, 0.034, samples, forward[0], NULL);
+    for (i = 0; i < samples; ++i) at[i] = 0.01 + (double)i * 0.034;
+    qtraj_sample(trajectory, at, 7, other[0], NULL); /* split */
+    qtraj_sample(trajectory, at + 7, samples - 7, other[7], NULL);
+    CHECK(memcmp(forward, other, sizeof forward) == 0);
+    for (i = 0; i < samples; ++i) at[i] = 0.01 + (double)(samples - 1 - i) * 0.034;
+    qtraj_sample(trajectory, at, samples, backward[0], NULL);
+    for (i = 0; i < samples; ++i) {
+      double norm = 0;
+      CHECK(memcmp(forward[i], backward[samples - 1 - i], sizeof forward[i]) == 0);
+      qtraj_sample_at(trajectory, at[samples - 1 - i], &cursor, other[i]);
+      CHECK(memcmp(forward[i], other[i], sizeof forward[i]) == 0);
+      qtraj_sample_at_f32(trajectory, at[samples - 1 - i], NULL, single);
+      for (k = 0; k < 4; ++k) {
+        norm += other[i][k] * other[i][k];
+        CHECK(fabs(single[k] - other[i][k]) < 1.5e-6);
+      }
+      CHECK(fabs(sqrt(norm) - 1) <= 4 * DBL_EPSILON);
+    }
+    qtraj_destroy(trajectory);
+  }
+  CHECK(strstr(qtraj_target(), "fused") != NULL || strstr(qtraj_target(), "plain") != NULL);
+}
+
+void check_guarantees(void) {
+  check_keys();
+  check_memory_and_environment();
+  check_bits();
+}

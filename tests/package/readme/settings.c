@@ -1,0 +1,112 @@
+/* The tables of settings: which method has which, defaults, given rates. */
+#include <math.h>
+#include <string.h>
+
+#include "claims.h"
+
+static void check_end_conditions(void) {
+  static const char taken[methods + 1][8] = {"", "       ", "       ", "DC  EGP", "D NK  P"};
+  static const char letters[] = "DCNKEGP"; /* in the order of the constants */
+  int method, end;
+  for (method = 1; method <= methods; ++method) {
+    qtraj_options* options = options_of(method);
+    for (end = QTRAJ_END_DEFAULT; end <= QTRAJ_END_PERIODIC; ++end) {
+      const int yes = strchr(taken[method], letters[end]) != NULL;
+      CHECK(qtraj_options_set_ends(options, end, end) == (yes ? QTRAJ_OK : QTRAJ_E_OPTION));
+      if (yes && end != QTRAJ_END_PERIODIC)
+        CHECK(qtraj_options_set_ends(options, end, QTRAJ_END_PERIODIC) == QTRAJ_E_OPTION);
+    }
+    CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_DEFAULT) ==
+          (method == QTRAJ_SQUAD ? QTRAJ_OK : QTRAJ_E_OPTION));
+    CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_DEFAULT, NULL) ==
+          (method == QTRAJ_LOG_SPLINE ? QTRAJ_OK : QTRAJ_E_OPTION));
+    CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_ERROR) == QTRAJ_OK);
+    CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_HOLD) ==
+          QTRAJ_E_OPTION);
+    qtraj_options_destroy(options);
+  }
+}
+
+static void check_defaults(void) {
+  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_CHORD) == QTRAJ_OK);
+  CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_CATMULL_ROM) == QTRAJ_OK);
+  CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) == 0);
+  CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_MEAN_VELOCITY) == QTRAJ_OK);
+  CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) > 1e-4);
+  /* a setter that fails has no effect */
+  CHECK(qtraj_options_set_tangents(options, 99) == QTRAJ_E_OPTION);
+  CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) > 1e-4);
+  qtraj_options_destroy(options);
+
+  options = options_of(QTRAJ_LOG_SPLINE);
+  CHECK(qtraj_options_set_ends(options, QTRAJ_END_NATURAL, QTRAJ_END_NATURAL) == QTRAJ_OK);
+  CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_FIRST, NULL) == QTRAJ_OK);
+  CHECK(difference(with(options, keys), build(QTRAJ_LOG_SPLINE, count, times, keys)) == 0);
+  qtraj_options_destroy(options);
+}
+
+static void check_given_rates(void) {
+  const double slow[3] = {0.1, 0.2, -0.1}, nan_rate[3] = {NAN, 0, 0};
+  double omega_body[count][3] = {{0}}, omega_world[count][3];
+  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  qtraj_trajectory *a, *b;
+  size_t bad;
+  int i;
+
+  /* a rate exactly for the ends that are GIVEN at that moment */
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_OPTION);
+  CHECK(qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_CHORD) == QTRAJ_OK);
+  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_E_OPTION && bad == SIZE_MAX);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_OPTION);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, NULL, NULL) == QTRAJ_E_NULL);
+  CHECK(qtraj_options_set_end_rates(options, 0, slow, NULL) == QTRAJ_E_OPTION);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, nan_rate, NULL) == QTRAJ_E_NOT_FINITE);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, NULL) == QTRAJ_OK);
+  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_OK && bad == SIZE_MAX);
+
+  /* frames: omega_world = q omega_body q^-1 */
+  for (i = 0; i < count; ++i) {
+    const double *q = keys[i], *w = omega_body[i];
+    double* out = omega_world[i];
+    omega_body[i][0] = 0.3;
+    omega_body[i][1] = 0.1 * i;
+    out[0] = (1 - 2 * (q[2] * q[2] + q[3] * q[3])) * w[0] + 2 * (q[1] * q[2] - q[0] * q[3]) * w[1];
+    out[1] = 2 * (q[1] * q[2] + q[0] * q[3]) * w[0] + (1 - 2 * (q[1] * q[1] + q[3] * q[3])) * w[1];
+    out[2] = 2 * (q[1] * q[3] - q[0] * q[2]) * w[0] + 2 * (q[2] * q[3] + q[0] * q[1]) * w[1];
+  }
+  CHECK(qtraj_options_set_ends(options, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT) == QTRAJ_OK);
+  CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN) == QTRAJ_OK);
+  CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_OPTION); /* the rates are missing */
+  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, NULL));
+  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_WORLD, omega_world[0], NULL, count, &b, NULL));
+  CHECK(distance(a, b) < 1e-14);
+  qtraj_destroy(b);
+
+  /* END_DEFAULT takes the end's rate from the keys, as GIVEN with that rate does; CHORD stays CHORD */
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_GIVEN));
+  CHECK(!qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, omega_body[0], omega_body[count - 1]));
+  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &b, NULL));
+  CHECK(distance(a, b) == 0);
+  qtraj_destroy(b);
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_CHORD));
+  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &b, NULL));
+  CHECK(difference(a, b) > 1e-3);
+
+  /* too fast: |h omega/2 - L| at key 3 just below and just above 2 pi; there h = 1.5 before it, L is small */
+  omega_body[3][0] = -8.5;
+  CHECK(qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, &bad) ==
+        QTRAJ_E_OPTION);
+  CHECK(a == NULL && bad == 3);
+  omega_body[3][0] = -7.0;
+  CHECK(qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, &bad) ==
+        QTRAJ_OK);
+  qtraj_destroy(a);
+  qtraj_options_destroy(options);
+}
+
+void check_settings(void) {
+  check_end_conditions();
+  check_defaults();
+  check_given_rates();
+}
