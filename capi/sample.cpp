@@ -1,4 +1,5 @@
 #include "kernel/kernel.hpp"
+#include "qtraj/options.hpp"
 #include "translate.hpp"
 
 using namespace qtraj;
@@ -13,24 +14,61 @@ auto kernel_sample() {
     return kernel().sample_f32;
 }
 
+// The arrays of a call: where samples go and where their times come from.
 template <class Real>
-qtraj_status sample(const qtraj_trajectory* trajectory, const TimeSource& times, bool times_missing, size_t count,
-                    Real* q_out, size_t* bad_index) {
-  if (bad_index) *bad_index = kNoIndex;
-  if (!trajectory || (count > 0 && (times_missing || !q_out))) return QTRAJ_E_NULL;
-  size_t q_bytes, time_bytes;
-  if (!capi::array_bytes(count, 4 * sizeof(Real), q_bytes) || !capi::array_bytes(count, sizeof(double), time_bytes))
-    return QTRAJ_E_SIZE;
-  if (capi::overlap({q_out, q_bytes}, {times.array, time_bytes})) return QTRAJ_E_OVERLAP;
-  size_t cursor = 0;
-  return capi::report(kernel_sample<Real>()(trajectory->core, times, count, cursor, q_out), bad_index);
+struct Call {
+  const qtraj_trajectory* trajectory;
+  TimeSource times;
+  size_t count;
+  SampleOutputs<Real> outputs;
+};
+
+template <class Real>
+Call<Real> call(const qtraj_trajectory* trajectory, const TimeSource& times, size_t count, Real* q_out) {
+  return {trajectory, times, count, {q_out, nullptr, nullptr, Frame::body}};
+}
+template <class Real>
+Call<Real> call(const qtraj_trajectory* trajectory, int32_t frame, const TimeSource& times, size_t count, Real* q_out,
+                Real* omega_out, Real* alpha_out) {
+  return {trajectory, times, count, {q_out, omega_out, alpha_out, static_cast<Frame>(frame)}};
 }
 
 template <class Real>
-qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, Real* q_out) {
-  if (!trajectory || !q_out) return QTRAJ_E_NULL;
+Status check_arrays(const Call<Real>& call, bool times_missing) {
+  const SampleOutputs<Real>& outputs = call.outputs;
+  const bool no_output = !outputs.q && !outputs.omega && !outputs.alpha;
+  if (!call.trajectory || (call.count > 0 && (times_missing || no_output))) return Status::null;
+  size_t time_bytes, q_bytes, rate_bytes;
+  if (!capi::array_bytes(call.count, sizeof(double), time_bytes) ||
+      !capi::array_bytes(call.count, 4 * sizeof(Real), q_bytes) ||
+      !capi::array_bytes(call.count, 3 * sizeof(Real), rate_bytes))
+    return Status::size;
+  if (!is_known(outputs.frame)) return Status::option;
+  const capi::Array arrays[] = {
+      {call.times.array, time_bytes}, {outputs.q, q_bytes}, {outputs.omega, rate_bytes}, {outputs.alpha, rate_bytes}};
+  for (size_t a = 0; a < 4; ++a)
+    for (size_t b = a + 1; b < 4; ++b)
+      if (capi::overlap(arrays[a], arrays[b])) return Status::overlap;
+  return Status::ok;
+}
+
+template <class Real>
+qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_index) {
+  if (bad_index) *bad_index = kNoIndex;
+  const Status status = check_arrays(call, times_missing);
+  if (status != Status::ok) return capi::to_c(status);
+  size_t cursor = 0;
+  return capi::report(kernel_sample<Real>()(call.trajectory->core, call.times, call.count, cursor, call.outputs),
+                      bad_index);
+}
+
+template <class Real>
+qtraj_status sample_at(const Call<Real>& call, size_t* cursor) {
+  const Status status = check_arrays(call, false);
+  if (status != Status::ok) return capi::to_c(status);
   size_t start = 0;
-  return capi::to_c(kernel_sample<Real>()(trajectory->core, {&time, 0, 0}, 1, cursor ? *cursor : start, q_out).status);
+  return capi::to_c(
+      kernel_sample<Real>()(call.trajectory->core, call.times, 1, cursor ? *cursor : start, call.outputs).status);
 }
 
 }  // namespace
@@ -39,30 +77,50 @@ extern "C" {
 
 qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
                           size_t* bad_index) {
-  return sample(trajectory, {times, 0, 0}, !times, count, q_out, bad_index);
+  return sample(call(trajectory, {times, 0, 0}, count, q_out), !times, bad_index);
 }
 
 qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count, float* q_out,
                               size_t* bad_index) {
-  return sample(trajectory, {times, 0, 0}, !times, count, q_out, bad_index);
+  return sample(call(trajectory, {times, 0, 0}, count, q_out), !times, bad_index);
+}
+
+qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times, size_t count,
+                                double* q_out, double* omega_out, double* alpha_out, size_t* bad_index) {
+  return sample(call(trajectory, frame, {times, 0, 0}, count, q_out, omega_out, alpha_out), !times, bad_index);
+}
+
+qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
+                                    size_t count, float* q_out, float* omega_out, float* alpha_out, size_t* bad_index) {
+  return sample(call(trajectory, frame, {times, 0, 0}, count, q_out, omega_out, alpha_out), !times, bad_index);
 }
 
 qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                   double* q_out, size_t* bad_index) {
-  return sample(trajectory, {nullptr, start, step}, false, count, q_out, bad_index);
+  return sample(call(trajectory, {nullptr, start, step}, count, q_out), false, bad_index);
 }
 
 qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                       float* q_out, size_t* bad_index) {
-  return sample(trajectory, {nullptr, start, step}, false, count, q_out, bad_index);
+  return sample(call(trajectory, {nullptr, start, step}, count, q_out), false, bad_index);
 }
 
 qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out) {
-  return sample_at(trajectory, time, cursor, q_out);
+  return sample_at(call(trajectory, {&time, 0, 0}, 1, q_out), cursor);
 }
 
 qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor, float* q_out) {
-  return sample_at(trajectory, time, cursor, q_out);
+  return sample_at(call(trajectory, {&time, 0, 0}, 1, q_out), cursor);
+}
+
+qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
+                                   double* q_out, double* omega_out, double* alpha_out) {
+  return sample_at(call(trajectory, frame, {&time, 0, 0}, 1, q_out, omega_out, alpha_out), cursor);
+}
+
+qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
+                                       float* q_out, float* omega_out, float* alpha_out) {
+  return sample_at(call(trajectory, frame, {&time, 0, 0}, 1, q_out, omega_out, alpha_out), cursor);
 }
 
 }  // extern "C"

@@ -16,18 +16,20 @@ double polynomial(const double (&coefficients)[Terms], double x) {
   return sum;
 }
 
-// C, K and D of the half angle sqrt(y), from their polynomials below pi/2, where the quotients would cancel.
+// C, K, D and E of the half angle sqrt(y), from their polynomials below pi/2, where the quotients would cancel.
 struct HalfAngleFactors {
-  double c, k, d;
+  double c, k, d, e;
 };
 HalfAngleFactors half_angle_factors(double y) {
   constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
   if (y <= kPolynomialLimit)
-    return {polynomial(CosHalf::kDouble, y), polynomial(SincHalf::kDouble, y), polynomial(DHalf::kDouble, y)};
+    return {polynomial(CosHalf::kDouble, y), polynomial(SincHalf::kDouble, y), polynomial(DHalf::kDouble, y),
+            polynomial(EHalf::kDouble, y)};
   const double angle = std::sqrt(y);
   const SinCos at = sin_cos(angle);
   const double k = at.sin / angle;
-  return {at.cos, k, (k - at.cos) / y};
+  const double d = (k - at.cos) / y;
+  return {at.cos, k, d, (3.0 * d - k) / y};
 }
 
 }  // namespace
@@ -81,6 +83,55 @@ Vector3 right_jacobian(const Vector3& r, const Vector3& d) {
   const Vector3 first = cross(r, (0.5 * f.k * f.k) * d);
   const Vector3 second = cross(r, cross(r, (0.25 * (f.k * f.k - f.c * f.d)) * d));
   return d - first + second;
+}
+
+Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w) {
+  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+  const Vector3 once = cross(r, w);
+  return w + 0.5 * once + (0.25 * f.d / f.k) * cross(r, once);
+}
+
+namespace {
+
+// The three factors of beta.
+struct TurningFactors {
+  double along_once, along_twice, sideways;
+};
+TurningFactors turning_factors(const Vector3& r) {
+  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+  return {0.25 * f.k * f.d, 0.0625 * (f.c * f.e - f.k * f.d), 0.25 * (f.k * f.k - f.c * f.d)};
+}
+
+}  // namespace
+
+Vector3 turning_acceleration(const Vector3& r, const Vector3& d) {
+  const TurningFactors f = turning_factors(r);
+  const double along = dot(r, d);
+  const Vector3 once = cross(r, d);
+  return (f.along_once * along) * once + (f.along_twice * along) * cross(r, once) + f.sideways * cross(d, once);
+}
+
+Matrix3 turning_jacobian(const Vector3& r, const Vector3& d) {
+  // term by term the product rule on beta
+  const TurningFactors f = turning_factors(r);
+  const double along = dot(r, d);
+  const Vector3 once = cross(r, d);
+  const Matrix3 by_r = cross_matrix(r);
+  return f.along_once * (outer_product(once, r) + along * by_r) +
+         f.along_twice * (outer_product(cross(r, once), r) + along * product(by_r, by_r)) +
+         f.sideways * (product(cross_matrix(d), by_r) - cross_matrix(once));
+}
+
+Matrix3 right_jacobian_matrix(const Vector3& r) {
+  Matrix3 matrix;
+  for (int k = 0; k < 3; ++k) matrix.col(k) = right_jacobian(r, Vector3::Unit(k));
+  return matrix;
+}
+
+Matrix3 inverse_right_jacobian_matrix(const Vector3& r) {
+  Matrix3 matrix;
+  for (int k = 0; k < 3; ++k) matrix.col(k) = inverse_right_jacobian(r, Vector3::Unit(k));
+  return matrix;
 }
 
 }  // namespace qtraj

@@ -127,6 +127,15 @@ void store_arc(const Arc& arc, NestedArcsSegment::Arc& out) {
   store(arc.e, out.e);
 }
 
+// Im(P* C) as NestedArcsSegment::relative has it. `m_offset` is the part of the inner middle across the outer one.
+void store_relative(const Arc& outer, const Arc& inner, const Quaternion& m_offset, double (&relative)[4][3]) {
+  const auto between = [](const Quaternion& a, const Quaternion& b) { return vector_part(multiply(conjugate(a), b)); };
+  store(between(outer.m, m_offset), relative[0]);
+  store(between(outer.m, inner.e), relative[1]);
+  store(between(outer.e, inner.m), relative[2]);
+  store(between(outer.e, inner.e), relative[3]);
+}
+
 }  // namespace
 
 Outcome build_squad(Construction& construction) {
@@ -149,9 +158,17 @@ Outcome build_squad(Construction& construction) {
     const Quaternion a_offset = multiply(from.value, exp_map_minus_one(0.5 * (h * start_rate - log)));
     const Quaternion b_offset = multiply(to.value, exp_map_minus_one(0.5 * (log - h * end_rate)));
 
+    const Quaternion control_sum = a_offset + b_offset;
+    const Arc outer = arc_between(chord, opposite_chord);
+    const Arc inner = arc_between(chord + (b_offset - a_offset), opposite_chord + control_sum);
     segments[i].scale = 2.0 / h;
-    store_arc(arc_between(chord, opposite_chord), segments[i].keys);
-    store_arc(arc_between(chord + (b_offset - a_offset), opposite_chord + (a_offset + b_offset)), segments[i].controls);
+    store_arc(outer, segments[i].keys);
+    store_arc(inner, segments[i].controls);
+    // The sum of the keys is along the outer middle: what the controls add to it makes the difference of the middles,
+    // without cancellation on short arcs. On long ones the inner middle itself tells it as well.
+    const bool is_short = inner.half_angle < 0.5;
+    const double inner_sum = length(Quaternion(opposite_chord + control_sum));
+    store_relative(outer, inner, is_short ? Quaternion(control_sum / inner_sum) : inner.m, segments[i].relative);
   }
   construction.omega_start = 2.0 * load(workspace.half_rate[0]);
   construction.omega_end = 2.0 * load(workspace.half_rate[keys.segments()]);

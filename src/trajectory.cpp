@@ -35,6 +35,8 @@ Extrapolation extrapolation_at(const EndSetting& setting, double knot, double fo
       const double scaled_length = length(scaled);
       side.rate = 0.5 * largest * scaled_length;
       store(multiply(key, quaternion(0.0, scaled / scaled_length)), side.e);
+      store(omega_body, side.omega_body);
+      store(Vector3(largest * to_world(key, scaled)), side.omega_world);
     }
   }
   const double distance = forward * far_distance(side.rate);
@@ -57,9 +59,10 @@ bool trajectory_size(const Options& options, size_t count, TrajectorySize& size)
 }
 
 Status check_settings(const Options& options, const KeyframeInput& input, Frame rate_frame) {
-  const bool needs_omega = options.tangents == Tangent::given;
-  const bool has_omega = input.omega.data != nullptr;
-  if (needs_omega != has_omega || input.alpha.data) return Status::option;
+  const MethodRow& row = *find_method(options.method);
+  const bool needs_omega = row.needs_omega || options.tangents == Tangent::given;
+  const bool has_omega = input.omega.data != nullptr, has_alpha = input.alpha.data != nullptr;
+  if (needs_omega != has_omega || row.needs_alpha != has_alpha) return Status::option;
   if (has_omega && !is_known(rate_frame)) return Status::option;
   const bool start_rate_missing = options.start.condition == End::given && !options.start.has_rate;
   const bool end_rate_missing = options.end.condition == End::given && !options.end.has_rate;
@@ -96,12 +99,15 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   if (outcome.status != Status::ok) return outcome;
 
   trajectory->range = construction.range;
+  trajectory->iterations = construction.iterations;
+  trajectory->residual = construction.residual;
   trajectory->sign_flips = report.sign_flips;
   trajectory->worst_norm_error = report.worst_norm_error;
   trajectory->least_dot = report.least_dot;
   const size_t last = keys.segments();
   trajectory->before = extrapolation_at(options.start, keys.times[0], -1.0, keys[0].value, construction.omega_start);
   trajectory->after = extrapolation_at(options.end, keys.times[last], 1.0, keys[last].value, construction.omega_end);
+  trajectory->closed = options.closed() || options.wraps();
   trajectory->negate_on_wrap = dot(keys[0].value, keys[last].value) < 0;
   *out = trajectory;
   return {};
@@ -111,18 +117,6 @@ const double* knots_of(const Trajectory& trajectory) { return at_offset<double>(
 
 const double (*keys_of(const Trajectory& trajectory))[4] {
   return at_offset<double[4]>(trajectory, trajectory.keys_offset);
-}
-
-LeastNorm least_norm(const Trajectory& trajectory) {
-  const double* knots = knots_of(trajectory);
-  LeastNorm least = {1.0, knots[0]};
-  if (trajectory.kind != SegmentKind::normalized) return least;
-  const auto* segments = at_offset<NormalizedSegment<1>>(trajectory, trajectory.segments_offset);
-  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) {
-    const double norm = length(load(segments[i].c[0]));  // a chord is shortest in its middle
-    if (norm < least.norm) least = {norm, knots[i] + 0.5 * (knots[i + 1] - knots[i])};
-  }
-  return least;
 }
 
 }  // namespace qtraj

@@ -8,10 +8,12 @@
 namespace qtraj {
 
 enum class SegmentKind {
-  arc,              // SLERP
-  rotation_vector,  // LOG_SPLINE
-  nested_arcs,      // SQUAD
-  normalized,       // NLERP
+  arc,                      // SLERP
+  rotation_vector,          // LOG_SPLINE, ROTATION_SPLINE, HERMITE: cubics
+  rotation_vector_quintic,  // ROTATION_QUINTIC
+  nested_arcs,              // SQUAD
+  normalized,               // NLERP
+  normalized_quintic,       // QUATERNION_QUINTIC
 };
 
 // Great circle q = m cos x + e sin x, x = (t - t_i) rate - half_angle. m is the middle of the arc and e the direction
@@ -39,6 +41,9 @@ struct NestedArcsSegment {
   };
   double scale;  // 2/h
   Arc keys, controls;
+  // For the rates: Im(P* C) of points on the two arcs is the sum of these times cos cos, cos sin, sin cos, sin sin of
+  // their angles. The first, Im(m_keys* m_controls), is far below rounding on short arcs, so that it is stored.
+  double relative[4][3];
 };
 
 // q = p(s)/|p(s)|, p = c[0] + c[1] s + ... in R^4.
@@ -48,7 +53,8 @@ struct NormalizedSegment {
   double c[Degree + 1][4];
 };
 
-// Largest |p| of rotation-vector segments: how far the kernels must reduce it.
+// Largest |p| of rotation-vector segments: how far the kernels must reduce it. `any` also says that coefficients, of
+// these and of normalised segments, may be past the range of float: such curves are always evaluated in double.
 enum class ExponentRange { quarter_turn, half_turn, full_turn, any };  // |p| <= pi/2, pi, 2 pi
 
 }  // namespace qtraj

@@ -1,6 +1,7 @@
 // Exponential and logarithm on S^3 (half angles), and the right Jacobian of SO(3).
 #pragma once
 
+#include "qtraj/matrix3.hpp"
 #include "qtraj/quaternion.hpp"
 
 namespace qtraj {
@@ -33,6 +34,22 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
 // The same matrix as G. Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", vol. 2 (2012), eq. 10.86,
 // with its quotients (1 - cos)/|r|^2 = K^2/2 and (|r| - sin)/|r|^3 = (K^2 - C D)/4, which lose no digits near 0.
 Vector3 right_jacobian(const Vector3& r, const Vector3& d);
+
+// Jr^-1(r) w: the derivative of the rotation vector r that a body rate w makes. |r| < 2 pi.
+//   Jr^-1(r) w = w + (1/2) r x w + (D/(4 K)) r x (r x w), the same book, eq. 10.87, its quotient without cancellation.
+Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w);
+
+// What turning adds to the body acceleration: alpha_body = Jr(r) r'' + beta(r, r'), beta = (d Jr(r)/dt) r'. Quadratic
+// in d. With E = (3 D - K)/y:
+//   beta(r, d) = (K D/4)(r.d) r x d + ((C E - K D)/16)(r.d) r x (r x d) + ((K^2 - C D)/4) d x (r x d).
+Vector3 turning_acceleration(const Vector3& r, const Vector3& d);
+
+// The matrix of d beta / d d at (r, d).
+Matrix3 turning_jacobian(const Vector3& r, const Vector3& d);
+
+// Jr(r) and its inverse as matrices.
+Matrix3 right_jacobian_matrix(const Vector3& r);
+Matrix3 inverse_right_jacobian_matrix(const Vector3& r);
 
 // Body to world and back: the same vector in the other frame.
 inline Vector3 to_world(const Quaternion& q_wb, const Vector3& v_body) { return rotate(q_wb, v_body); }

@@ -22,6 +22,7 @@ struct Extrapolation {
   double far_time;  // times past it count as it: there the arc, or the difference t - knot, has no digits left
   double rate;      // rad/s on S^3: half the angular speed
   double m[4], e[4];
+  double omega_body[3], omega_world[3];
 };
 
 struct Trajectory {
@@ -35,6 +36,7 @@ struct Trajectory {
   double worst_norm_error;
   double least_dot;
   Extrapolation before, after;
+  bool closed;          // PERIODIC, at its ends or beyond them
   bool negate_on_wrap;  // PERIODIC extrapolation: the last key is minus the first
   bool on_heap;
   size_t keys_offset, segments_offset;  // bytes from here; knots follow this header
@@ -55,11 +57,5 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
 
 const double* knots_of(const Trajectory& trajectory);      // [key_count]
 const double (*keys_of(const Trajectory& trajectory))[4];  // [key_count][4]
-
-// Smallest norm of a normalised segment before it is normalised, and where; 1 at the first knot for other kinds.
-struct LeastNorm {
-  double norm, time;
-};
-LeastNorm least_norm(const Trajectory& trajectory);
 
 }  // namespace qtraj

@@ -32,13 +32,16 @@ Real horner(const Real (&coefficients)[Terms], Real x) {
 }
 
 // A polynomial of coefficients.hpp in the precision of its argument.
-template <class Arithmetic, class Polynomial>
-double evaluate(double x) {
-  return horner<Arithmetic>(Polynomial::kDouble, x);
+template <class Real, class Polynomial>
+constexpr const auto& coefficients(Polynomial) {
+  if constexpr (sizeof(Real) == sizeof(double))
+    return Polynomial::kDouble;
+  else
+    return Polynomial::kFloat;
 }
-template <class Arithmetic, class Polynomial>
-float evaluate(float x) {
-  return horner<Arithmetic>(Polynomial::kFloat, x);
+template <class Arithmetic, class Polynomial, class Real>
+Real evaluate(Real x) {
+  return horner<Arithmetic>(coefficients<Real>(Polynomial{}), x);
 }
 
 // One instruction on every target with a square root; rounded correctly on all.

@@ -16,16 +16,32 @@ struct TimeSource {
   double start, step;
 };
 
+// Rows to write: q [count][4], omega and alpha [count][3] in `frame`; each may be null.
+template <class Real>
+struct SampleOutputs {
+  Real* q;
+  Real* omega;
+  Real* alpha;
+  Frame frame;
+};
+
 struct Kernel {
   const char* target;  // instruction set and arithmetic, as qtraj_target reports it
 
-  // Rows of q_out [count][4] at the times. Every row is written, one at fault with NaN; the outcome is that of the
-  // first at fault. `cursor`, a segment index or any other number, says where to look first and receives the last
-  // segment used.
-  Outcome (*sample)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor, double* q_out);
+  // Samples at the times. Every row is written, one at fault with NaN; the outcome is that of the first at fault.
+  // `cursor`, a segment index or any other number, says where to look first and receives the last segment used.
+  Outcome (*sample)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+                    const SampleOutputs<double>& outputs);
   Outcome (*sample_f32)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
-                        float* q_out);
+                        const SampleOutputs<float>& outputs);
 };
+
+// The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body
+// frame; false where they overflow.
+struct SegmentMotion {
+  double q[4], omega[3], alpha[3];
+};
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, SegmentMotion& motion);
 
 extern const Kernel kPlainKernel;
 #if defined(QTRAJ_HAS_FUSED_KERNEL)

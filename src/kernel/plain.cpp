@@ -4,4 +4,21 @@ namespace qtraj {
 
 const Kernel kPlainKernel = {"scalar plain", sample<Plain, double>, sample<Plain, float>};
 
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, SegmentMotion& motion) {
+  return with_evaluator<Plain>(trajectory, [&](auto evaluator) {
+    using Evaluator = decltype(evaluator);
+    using Segment = typename Evaluator::Segment;
+    const auto& record = reinterpret_cast<const Segment*>(bytes_of(trajectory) + trajectory.segments_offset)[segment];
+    Row<double> row;
+    Rates<double> rates;
+    Evaluator::sample(record, elapsed, row.q);
+    Evaluator::sample_rates(record, elapsed, rates);
+    if (!finish_rates<Plain>(row.q, rates, Evaluator::scale(record), Frame::body, row)) return false;
+    write(row.q, motion.q, 0);
+    write(row.omega, motion.omega, 0);
+    write(row.alpha, motion.alpha, 0);
+    return true;
+  });
+}
+
 }  // namespace qtraj

@@ -74,102 +74,198 @@ const char* bytes_of(const Trajectory& trajectory) { return reinterpret_cast<con
 
 // ---- Rows ----
 
-template <class Real>
-void write(const Real (&from)[4], Real* to) {
-  for (int k = 0; k < 4; ++k) to[k] = from[k];
+template <class Real, size_t Size>
+void write(const Real (&from)[Size], Real* to, size_t row) {
+  if (!to) return;
+  for (size_t k = 0; k < Size; ++k) to[Size * row + k] = from[k];
 }
 
 template <class Real>
-void write_nan(Real* to) {
-  for (int k = 0; k < 4; ++k) to[k] = static_cast<Real>(__builtin_nan(""));
+struct Row {
+  Real q[4], omega[3], alpha[3];
+};
+
+template <class Real>
+void write_row(const Row<Real>& from, const SampleOutputs<Real>& outputs, size_t row) {
+  write(from.q, outputs.q, row);
+  write(from.omega, outputs.omega, row);
+  write(from.alpha, outputs.alpha, row);
 }
 
-// A time outside the knots: leaves q, or a time inside to sample, or a fault.
-enum class Outside { fault, done, inside };
 template <class Real>
-Outside resolve_outside(const Trajectory& trajectory, double& time, bool& negate, Real* q_out) {
-  const Extrapolation& side = time < trajectory.before.knot ? trajectory.before : trajectory.after;
-  switch (side.rule) {
-    case Extrapolate::hold:
-    case Extrapolate::constant_rate: {
-      double q[4];
-      extrapolate(side, time, q);
-      for (int k = 0; k < 4; ++k) q_out[k] = static_cast<Real>(q[k]);
-      return Outside::done;
-    }
-    case Extrapolate::periodic: {
-      const WrappedTime wrapped = wrap_time(trajectory, time);
-      time = wrapped.time;
-      negate = wrapped.negate;
-      return Outside::inside;
-    }
-    case Extrapolate::error:
-      break;
+Row<Real> nan_row() {
+  constexpr Real kNaN = static_cast<Real>(__builtin_nan(""));
+  return {{kNaN, kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+}
+
+template <class Real>
+constexpr double largest_of() {
+  return sizeof(Real) == sizeof(double) ? kLargest : 0x1.fffffep+127;
+}
+
+// value * factor, false instead of an overflow of the product or of its rounding to Real.
+template <class Real>
+bool scaled(double value, double factor, double& product) {
+  constexpr double kSafe = 0x1p500;
+  if ((magnitude(value) > kSafe || factor > kSafe) && factor > 1 && magnitude(value) > kLargest / factor) return false;
+  product = value * factor;
+  return magnitude(product) <= largest_of<Real>();
+}
+
+// Body rates in units of a segment to rates in time and in the frame asked for; false where they overflow.
+template <class Arithmetic, class Real, class Work>
+bool finish_rates(const Real (&q)[4], Rates<Work>& rates, double scale, Frame frame, Row<Real>& row) {
+  if (frame == Frame::world) {
+    const Work attitude[4] = {static_cast<Work>(q[0]), static_cast<Work>(q[1]), static_cast<Work>(q[2]),
+                              static_cast<Work>(q[3])};
+    rotate_to_world<Arithmetic>(attitude, rates.omega);
+    rotate_to_world<Arithmetic>(attitude, rates.alpha);
   }
-  return Outside::fault;
+  for (size_t k = 0; k < 3; ++k) {
+    double omega, once, alpha;
+    if (!scaled<Real>(static_cast<double>(rates.omega[k]), scale, omega)) return false;
+    if (!scaled<double>(static_cast<double>(rates.alpha[k]), scale, once)) return false;
+    if (!scaled<Real>(once, scale, alpha)) return false;
+    row.omega[k] = static_cast<Real>(omega);
+    row.alpha[k] = static_cast<Real>(alpha);
+  }
+  return true;
 }
 
-template <class Evaluator, class Real>
-Outcome sample_rows(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor, Real* q_out) {
-  const auto* knots = reinterpret_cast<const double*>(bytes_of(trajectory) + sizeof(Trajectory));
-  const auto* segments =
-      reinterpret_cast<const typename Evaluator::Segment*>(bytes_of(trajectory) + trajectory.segments_offset);
-  const size_t segment_count = trajectory.key_count - 1;
+// Copies the constant rate of an extrapolated turn; false where it is past the range of Real.
+template <class Real>
+bool extrapolated_rates(const double (&omega)[3], Row<Real>& row) {
+  for (size_t k = 0; k < 3; ++k) {
+    if (magnitude(omega[k]) > largest_of<Real>()) return false;
+    row.omega[k] = static_cast<Real>(omega[k]);
+    row.alpha[k] = 0;
+  }
+  return true;
+}
+
+// Samples one trajectory of one kind, with rates or without.
+template <class Evaluator, class Arithmetic, class Real, bool kWithRates>
+class Sampler {
+ public:
+  Sampler(const Trajectory& trajectory, Frame frame)
+      : trajectory_(trajectory),
+        frame_(frame),
+        knots_(reinterpret_cast<const double*>(bytes_of(trajectory) + sizeof(Trajectory))),
+        segments_(reinterpret_cast<const Segment*>(bytes_of(trajectory) + trajectory.segments_offset)) {}
+
+  Status sample(double time, size_t& cursor, Row<Real>& row) const {
+    if (!is_finite(time)) return Status::not_finite;
+    if (time < trajectory_.before.knot || time > trajectory_.after.knot) return sample_outside(time, cursor, row);
+    return sample_inside(time, cursor, row);
+  }
+
+ private:
+  using Segment = typename Evaluator::Segment;
+  using Work = typename Evaluator::template Working<Real>;
+
+  Status sample_inside(double time, size_t& cursor, Row<Real>& row) const {
+    cursor = find_segment(knots_, trajectory_.key_count - 1, time, cursor);
+    const Segment& segment = segments_[cursor];
+    const double elapsed = time - knots_[cursor];
+    Evaluator::sample(segment, elapsed, row.q);
+    if constexpr (kWithRates) {
+      Rates<Work> rates;
+      Evaluator::sample_rates(segment, elapsed, rates);
+      if (!finish_rates<Arithmetic>(row.q, rates, Evaluator::scale(segment), frame_, row)) return Status::not_finite;
+    }
+    return Status::ok;
+  }
+
+  Status sample_outside(double time, size_t& cursor, Row<Real>& row) const {
+    const Extrapolation& side = time < trajectory_.before.knot ? trajectory_.before : trajectory_.after;
+    if (side.rule == Extrapolate::error) return Status::time_range;
+    if (side.rule == Extrapolate::periodic) {
+      const WrappedTime wrapped = wrap_time(trajectory_, time);
+      const Status status = sample_inside(wrapped.time, cursor, row);
+      if (wrapped.negate)
+        for (Real& component : row.q) component = -component;
+      return status;
+    }
+    double q[4];
+    extrapolate(side, time, q);
+    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
+    if constexpr (kWithRates)
+      if (!extrapolated_rates(frame_ == Frame::world ? side.omega_world : side.omega_body, row))
+        return Status::not_finite;
+    return Status::ok;
+  }
+
+  const Trajectory& trajectory_;
+  const Frame frame_;
+  const double* knots_;
+  const Segment* segments_;
+};
+
+template <class Evaluator, class Arithmetic, bool kWithRates, class Real>
+Outcome sample_rows(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
+                    const SampleOutputs<Real>& outputs) {
+  const Sampler<Evaluator, Arithmetic, Real, kWithRates> sampler(trajectory, outputs.frame);
   const TimeReader times(source, count);
   Outcome outcome = {Status::ok, kNoIndex};
-  const auto fault = [&outcome](Status status, size_t row, Real* out) {
-    write_nan(out);
-    if (outcome.status == Status::ok) outcome = {status, row};
-  };
-
-  for (size_t row = 0; row < count; ++row, q_out += 4) {
-    double time = times[row];
-    bool negate = false;
-    if (!is_finite(time)) {
-      fault(Status::not_finite, row, q_out);
-      continue;
+  for (size_t i = 0; i < count; ++i) {
+    Row<Real> row;
+    const Status status = sampler.sample(times[i], cursor, row);
+    if (status != Status::ok) {
+      row = nan_row<Real>();
+      if (outcome.status == Status::ok) outcome = {status, i};
     }
-    if (time < trajectory.before.knot || time > trajectory.after.knot) {
-      const Outside outside = resolve_outside(trajectory, time, negate, q_out);
-      if (outside == Outside::fault) fault(Status::time_range, row, q_out);
-      if (outside != Outside::inside) continue;
-    }
-    cursor = find_segment(knots, segment_count, time, cursor);
-    Real q[4];
-    Evaluator::sample(segments[cursor], time - knots[cursor], q);
-    if (negate)
-      for (Real& component : q) component = -component;
-    write(q, q_out);
+    if constexpr (kWithRates)
+      write_row(row, outputs, i);
+    else
+      write(row.q, outputs.q, i);
   }
   return outcome;
 }
 
-template <class Arithmetic, class Real>
-Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor, Real* q_out) {
-  const auto with = [&](auto evaluator) {
-    return sample_rows<decltype(evaluator)>(trajectory, times, count, cursor, q_out);
-  };
+// Calls `with` with the evaluator of a trajectory's segments.
+template <class Arithmetic, size_t Degree, class With>
+auto with_rotation_vector(ExponentRange range, const With& with) {
+  switch (range) {
+    case ExponentRange::quarter_turn:
+      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::quarter_turn>{});
+    case ExponentRange::half_turn:
+      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::half_turn>{});
+    case ExponentRange::full_turn:
+      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::full_turn>{});
+    case ExponentRange::any:
+      break;
+  }
+  return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::any>{});
+}
+template <class Arithmetic, class With>
+auto with_evaluator(const Trajectory& trajectory, const With& with) {
   switch (trajectory.kind) {
     case SegmentKind::arc:
       return with(ArcEvaluator<Arithmetic>{});
     case SegmentKind::nested_arcs:
       return with(NestedArcsEvaluator<Arithmetic>{});
     case SegmentKind::normalized:
-      return with(NormalizedEvaluator<Arithmetic, 1>{});
+      return with(NormalizedEvaluator<Arithmetic, 1, ExponentRange::quarter_turn>{});
+    case SegmentKind::normalized_quintic:
+      if (trajectory.range == ExponentRange::any) return with(NormalizedEvaluator<Arithmetic, 5, ExponentRange::any>{});
+      return with(NormalizedEvaluator<Arithmetic, 5, ExponentRange::quarter_turn>{});
+    case SegmentKind::rotation_vector_quintic:
+      return with_rotation_vector<Arithmetic, 5>(trajectory.range, with);
     case SegmentKind::rotation_vector:
       break;
   }
-  switch (trajectory.range) {
-    case ExponentRange::quarter_turn:
-      return with(RotationVectorEvaluator<Arithmetic, 3, ExponentRange::quarter_turn>{});
-    case ExponentRange::half_turn:
-      return with(RotationVectorEvaluator<Arithmetic, 3, ExponentRange::half_turn>{});
-    case ExponentRange::full_turn:
-      return with(RotationVectorEvaluator<Arithmetic, 3, ExponentRange::full_turn>{});
-    case ExponentRange::any:
-      break;
-  }
-  return with(RotationVectorEvaluator<Arithmetic, 3, ExponentRange::any>{});
+  return with_rotation_vector<Arithmetic, 3>(trajectory.range, with);
+}
+
+template <class Arithmetic, class Real>
+Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+               const SampleOutputs<Real>& outputs) {
+  return with_evaluator<Arithmetic>(trajectory, [&](auto evaluator) {
+    using Evaluator = decltype(evaluator);
+    if (outputs.omega || outputs.alpha)
+      return sample_rows<Evaluator, Arithmetic, true>(trajectory, times, count, cursor, outputs);
+    return sample_rows<Evaluator, Arithmetic, false>(trajectory, times, count, cursor, outputs);
+  });
 }
 
 }  // namespace

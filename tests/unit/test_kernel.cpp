@@ -22,10 +22,10 @@ struct Case {
 
 // Every evaluator, LOG_SPLINE with |p| in each of its ranges.
 std::vector<Case> all_cases() {
-  return {{{QTRAJ_SLERP}, 179 * kDegree, 20},     {{QTRAJ_NLERP}, 179 * kDegree, 20},
-          {{QTRAJ_SQUAD}, 120 * kDegree, 20},     {{QTRAJ_LOG_SPLINE}, 10 * kDegree, 6},
-          {{QTRAJ_LOG_SPLINE}, 70 * kDegree, 6},  {{QTRAJ_LOG_SPLINE}, 110 * kDegree, 8},
-          {{QTRAJ_LOG_SPLINE}, 170 * kDegree, 30}};
+  return {{{QTRAJ_SLERP}, 179 * kDegree, 20},      {{QTRAJ_NLERP}, 179 * kDegree, 20},
+          {{QTRAJ_SQUAD}, 120 * kDegree, 20},      {{QTRAJ_LOG_SPLINE}, 10 * kDegree, 6},
+          {{QTRAJ_LOG_SPLINE}, 70 * kDegree, 6},   {{QTRAJ_LOG_SPLINE}, 110 * kDegree, 8},
+          {{QTRAJ_LOG_SPLINE}, 170 * kDegree, 30}, {{QTRAJ_ROTATION_SPLINE}, 100 * kDegree, 20}};
 }
 
 std::vector<double> times_within(const Keys& keys, size_t count) {
@@ -36,20 +36,25 @@ std::vector<double> times_within(const Keys& keys, size_t count) {
   return times;
 }
 
+// q of all times, then omega, then alpha.
 template <class Real, class Sample>
 std::vector<Real> run(Sample sample, const test::Trajectory& trajectory, const std::vector<double>& times) {
-  std::vector<Real> q(4 * times.size());
+  const size_t count = times.size();
+  std::vector<Real> rows(10 * count);
+  const qtraj::SampleOutputs<Real> outputs = {rows.data(), &rows[4 * count], &rows[7 * count], qtraj::Frame::world};
   size_t cursor = 0;
   const qtraj::Outcome outcome =
-      sample(trajectory.get()->core, qtraj::TimeSource{times.data(), 0, 0}, times.size(), cursor, q.data());
+      sample(trajectory.get()->core, qtraj::TimeSource{times.data(), 0, 0}, count, cursor, outputs);
   CHECK(outcome.status == qtraj::Status::ok);
-  return q;
+  return rows;
 }
 
+// Of q.
 template <class Real>
 double largest_difference(const std::vector<Real>& a, const std::vector<Real>& b) {
   double largest = 0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(static_cast<double>(a[i] - b[i])));
+  for (size_t i = 0; i < 4 * (a.size() / 10); ++i)
+    largest = std::max(largest, std::abs(static_cast<double>(a[i] - b[i])));
   return largest;
 }
 
