@@ -2,12 +2,11 @@
 
 #include "qtraj/cubic_spline.hpp"
 #include "qtraj/mean.hpp"
+#include "qtraj/rotation_vector_polynomial.hpp"
 #include "qtraj/so3.hpp"
 
 namespace qtraj {
 namespace {
-
-constexpr double kPi = 0x1.921fb54442d18p+1;
 
 // Working space: per key the half-angle vector p_i and its derivative, and the scratch of the spline.
 struct Workspace {
@@ -42,31 +41,6 @@ Status find_reference(const Construction& construction, UnitQuaternion& referenc
   }
   if (dot(reference.value, keys[0].value) < 0) reference = negate(reference);
   return Status::ok;
-}
-
-// The cubic over one segment as a polynomial in s and as Bezier points, whose largest length bounds |p|.
-struct Cubic {
-  Vector3 c[4];
-  double bound;
-};
-Cubic cubic(const Vector3& p0, const Vector3& p1, const Vector3& rise0, const Vector3& rise1) {
-  // rise: h p', the derivative in u
-  const Vector3 half_step = 0.5 * (p1 - p0), mean_rise = 0.25 * (rise1 + rise0), rise_change = 0.25 * (rise1 - rise0);
-  Cubic result;
-  result.c[3] = 0.5 * (mean_rise - half_step);
-  result.c[2] = 0.5 * rise_change;
-  result.c[1] = half_step - result.c[3];
-  result.c[0] = 0.5 * (p0 + p1) - result.c[2];
-  const Vector3 control0 = p0 + rise0 / 3.0, control1 = p1 - rise1 / 3.0;
-  result.bound = std::max({length(p0), length(p1), length(control0), length(control1)});
-  return result;
-}
-
-ExponentRange range_of(double bound) {
-  if (bound <= 0.5 * kPi) return ExponentRange::quarter_turn;
-  if (bound <= kPi) return ExponentRange::half_turn;
-  if (bound <= 2.0 * kPi) return ExponentRange::full_turn;
-  return ExponentRange::any;
 }
 
 // p_i of every key, on the branch that continues the one before.
@@ -117,12 +91,8 @@ Outcome build_log_spline(Construction& construction) {
     Vector3 rise0, rise1;
     if (!rise_at(workspace, i, h, rise0)) return {Status::not_finite, i};
     if (!rise_at(workspace, i + 1, h, rise1)) return {Status::not_finite, i + 1};
-    const Cubic p = cubic(load(workspace.p[i]), load(workspace.p[i + 1]), rise0, rise1);
-    bound = std::max(bound, p.bound);
-
-    segments[i].scale = 2.0 / h;
-    store(reference.value, segments[i].base);
-    for (int k = 0; k < 4; ++k) store(p.c[k], segments[i].c[k]);
+    const EndValues<Vector3> p = {{load(workspace.p[i]), load(workspace.p[i + 1])}, {rise0, rise1}, {}};
+    bound = std::max(bound, set_cubic(reference.value, h, p, segments[i]));
   }
   construction.range = range_of(bound);
 

@@ -1,7 +1,10 @@
 #include "qtraj/method.hpp"
 
+#include "qtraj/hermite.hpp"
 #include "qtraj/log_spline.hpp"
 #include "qtraj/nlerp.hpp"
+#include "qtraj/quintic.hpp"
+#include "qtraj/rotation_spline.hpp"
 #include "qtraj/slerp.hpp"
 #include "qtraj/squad.hpp"
 
@@ -14,13 +17,26 @@ constexpr unsigned kSquadEnds =
     bit(End::standard) | bit(End::chord) | bit(End::estimated) | bit(End::given) | bit(End::periodic);
 constexpr unsigned kLogSplineEnds = bit(End::standard) | bit(End::natural) | bit(End::not_a_knot) | bit(End::periodic);
 
+constexpr unsigned kRotationSplineEnds = bit(End::standard) | bit(End::chord) | bit(End::natural) |
+                                         bit(End::estimated) | bit(End::given) | bit(End::periodic);
+
+// Method, segments, their bytes, ends, tangents, reference, omega, alpha, workspace, builder.
 constexpr MethodRow kMethods[] = {
-    {Method::slerp, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, 0, build_slerp},
-    {Method::nlerp, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, 0, build_nlerp},
-    {Method::squad, SegmentKind::nested_arcs, sizeof(NestedArcsSegment), kSquadEnds, true, false, kSquadWorkspacePerKey,
-     build_squad},
+    {Method::slerp, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, 0, build_slerp},
+    {Method::nlerp, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, false, false, 0,
+     build_nlerp},
+    {Method::squad, SegmentKind::nested_arcs, sizeof(NestedArcsSegment), kSquadEnds, true, false, false, false,
+     kSquadWorkspacePerKey, build_squad},
     {Method::log_spline, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kLogSplineEnds, false, true,
-     kLogSplineWorkspacePerKey, build_log_spline},
+     false, false, kLogSplineWorkspacePerKey, build_log_spline},
+    {Method::rotation_spline, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kRotationSplineEnds,
+     false, false, false, false, kRotationSplineWorkspacePerKey, build_rotation_spline},
+    {Method::hermite, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), 0, false, false, true, false, 0,
+     build_hermite},
+    {Method::rotation_quintic, SegmentKind::rotation_vector_quintic, sizeof(RotationVectorSegment<5>), 0, false, false,
+     true, true, 0, build_rotation_quintic},
+    {Method::quaternion_quintic, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false, true,
+     true, 0, build_quaternion_quintic},
 };
 
 }  // namespace

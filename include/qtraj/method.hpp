@@ -20,6 +20,9 @@ struct Construction {
   Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
   // Largest |p| of rotation-vector segments.
   ExponentRange range = ExponentRange::quarter_turn;
+  // Of methods that iterate: how often a system was solved, and what is left of the equations (qtraj_residual).
+  int32_t iterations = 0;
+  double residual = 0;
 };
 
 struct MethodRow {
@@ -28,6 +31,7 @@ struct MethodRow {
   size_t segment_bytes;
   unsigned ends;  // a bit for each End condition that set_ends takes
   bool has_tangents, has_reference;
+  bool needs_omega, needs_alpha;  // rates at all keys
   size_t workspace_per_key;
   Outcome (*build)(Construction&);
 

@@ -6,7 +6,16 @@
 
 namespace qtraj {
 
-enum class Method : int32_t { slerp = 1, nlerp = 2, squad = 3, log_spline = 4 };
+enum class Method : int32_t {
+  slerp = 1,
+  nlerp = 2,
+  squad = 3,
+  log_spline = 4,
+  rotation_spline = 5,
+  hermite = 6,
+  rotation_quintic = 7,
+  quaternion_quintic = 8
+};
 enum class Frame : int32_t { body = 1, world = 2 };
 enum class End : int32_t {
   standard = 0,
