@@ -21,6 +21,7 @@ enum class Status {
   time_range,
   not_closed,
   ambiguous,
+  no_convergence,
 };
 
 constexpr size_t kNoIndex = SIZE_MAX;
