@@ -11,7 +11,10 @@ constexpr bool same(Core core, int value) {
 }
 
 static_assert(same(Method::slerp, QTRAJ_SLERP) && same(Method::nlerp, QTRAJ_NLERP) &&
-              same(Method::squad, QTRAJ_SQUAD) && same(Method::log_spline, QTRAJ_LOG_SPLINE));
+              same(Method::squad, QTRAJ_SQUAD) && same(Method::log_spline, QTRAJ_LOG_SPLINE) &&
+              same(Method::rotation_spline, QTRAJ_ROTATION_SPLINE) && same(Method::hermite, QTRAJ_HERMITE) &&
+              same(Method::rotation_quintic, QTRAJ_ROTATION_QUINTIC) &&
+              same(Method::quaternion_quintic, QTRAJ_QUATERNION_QUINTIC));
 static_assert(same(Frame::body, QTRAJ_FRAME_BODY) && same(Frame::world, QTRAJ_FRAME_WORLD));
 static_assert(same(End::standard, QTRAJ_END_DEFAULT) && same(End::chord, QTRAJ_END_CHORD) &&
               same(End::natural, QTRAJ_END_NATURAL) && same(End::not_a_knot, QTRAJ_END_NOT_A_KNOT) &&

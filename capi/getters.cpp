@@ -44,12 +44,4 @@ qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, d
   return QTRAJ_OK;
 }
 
-qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time) {
-  if (!trajectory || !norm) return QTRAJ_E_NULL;
-  const LeastNorm least = least_norm(trajectory->core);
-  *norm = least.norm;
-  if (time) *time = least.time;
-  return QTRAJ_OK;
-}
-
 }  // extern "C"

@@ -74,10 +74,14 @@ typedef enum qtraj_status {
 
 /* 0 is no method, no frame: a forgotten argument is QTRAJ_E_OPTION. */
 enum qtraj_method_value {
-  QTRAJ_SLERP = 1,     /* C0, constant rate in each segment */
-  QTRAJ_NLERP = 2,     /* C0, normalised linear */
-  QTRAJ_SQUAD = 3,     /* C1 */
-  QTRAJ_LOG_SPLINE = 4 /* C2, cubic in one chart */
+  QTRAJ_SLERP = 1,             /* C0, constant rate in each segment */
+  QTRAJ_NLERP = 2,             /* C0, normalised linear */
+  QTRAJ_SQUAD = 3,             /* C1 */
+  QTRAJ_LOG_SPLINE = 4,        /* C2, cubic in one chart */
+  QTRAJ_ROTATION_SPLINE = 5,   /* C2, no chart */
+  QTRAJ_HERMITE = 6,           /* C1, rates at the keys given */
+  QTRAJ_ROTATION_QUINTIC = 7,  /* C2, rates and accelerations at the keys given */
+  QTRAJ_QUATERNION_QUINTIC = 8 /* C2, the same in R^4, normalised */
 };
 enum qtraj_frame_value { QTRAJ_FRAME_BODY = 1, QTRAJ_FRAME_WORLD = 2 };
 enum qtraj_end_value {
@@ -184,6 +188,14 @@ QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const do
                                     double* q_out, size_t* bad_index);
 QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                         float* q_out, size_t* bad_index);
+/* With omega_out, alpha_out [count][3], rad/s and rad/s^2 in frame; each output may be NULL, not all; right-hand values
+ * at knots. */
+QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
+                                          size_t count, double* q_out, double* omega_out, double* alpha_out,
+                                          size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
+                                              size_t count, float* q_out, float* omega_out, float* alpha_out,
+                                              size_t* bad_index);
 /* At start + (double)i * step, rounded twice, for i < count. */
 QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                             double* q_out, size_t* bad_index);
@@ -194,6 +206,12 @@ QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajecto
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
 QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                                            float* q_out);
+
+/* The same with rates; each output may be NULL, not all. */
+QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time,
+                                             size_t* cursor, double* q_out, double* omega_out, double* alpha_out);
+QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time,
+                                                 size_t* cursor, float* q_out, float* omega_out, float* alpha_out);
 
 /* ---- What a trajectory knows: plain values; 0 or NaN for a NULL handle ---- */
 
@@ -221,6 +239,20 @@ QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* ti
 /* NLERP, QUATERNION_QUINTIC: smallest norm before normalisation and its time (nullable); 1 for the others. Computed by
  * the call. */
 QTRAJ_API qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
+
+/* ---- Curve diagnostics: double only, computed by the call ---- */
+
+/* Right-hand minus left-hand omega and alpha at each knot, [key_count][3], each nullable; ends 0, or the wrap's jump
+ * where PERIODIC. */
+QTRAJ_API qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
+                                        double* alpha_jump);
+/* Largest |omega| and |alpha| and their times; each nullable. */
+QTRAJ_API qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
+                                        double* alpha_peak, double* alpha_time);
+/* Integral of |alpha|^2 over the segments, rad^2/s^3; impulses at rate jumps are not counted. */
+QTRAJ_API qtraj_status qtraj_energy(const qtraj_trajectory* trajectory, double* energy);
+/* Integral of |omega|, rad. */
+QTRAJ_API qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, double* angle);
 
 #ifdef __cplusplus
 }

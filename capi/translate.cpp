@@ -35,6 +35,8 @@ qtraj_status to_c(Status status) {
       return QTRAJ_E_NOT_CLOSED;
     case Status::ambiguous:
       return QTRAJ_E_AMBIGUOUS;
+    case Status::no_convergence:
+      return QTRAJ_E_NO_CONVERGENCE;
   }
   return QTRAJ_E_INTERNAL;
 }

@@ -1,0 +1,63 @@
+#include "qtraj/curve_diagnostics.hpp"
+
+#include "qtraj/options.hpp"
+#include "translate.hpp"
+
+using namespace qtraj;
+using capi::to_c;
+
+namespace {
+
+void write(double value, double* out) {
+  if (out) *out = value;
+}
+
+// One number of a trajectory; the output is left alone on an error.
+qtraj_status scalar(const qtraj_trajectory* trajectory, double* out, Outcome (*compute)(const Trajectory&, double&)) {
+  if (!trajectory || !out) return QTRAJ_E_NULL;
+  return to_c(compute(trajectory->core, *out).status);
+}
+
+}  // namespace
+
+extern "C" {
+
+qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time) {
+  if (!trajectory || !norm) return QTRAJ_E_NULL;
+  const LeastNorm least = least_norm(trajectory->core);
+  *norm = least.norm;
+  write(least.time, time);
+  return QTRAJ_OK;
+}
+
+qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
+                              double* alpha_jump) {
+  if (!trajectory) return QTRAJ_E_NULL;
+  if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_OPTION;
+  const size_t bytes = 3 * trajectory->core.key_count * sizeof(double);
+  if (capi::overlap({omega_jump, bytes}, {alpha_jump, bytes})) return QTRAJ_E_OVERLAP;
+  return to_c(knot_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
+}
+
+qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
+                              double* alpha_peak, double* alpha_time) {
+  if (!trajectory) return QTRAJ_E_NULL;
+  PeakRates peaks;
+  const Outcome outcome = peak_rates(trajectory->core, peaks);
+  if (outcome.status != Status::ok) return to_c(outcome.status);
+  write(peaks.omega, omega_peak);
+  write(peaks.omega_time, omega_time);
+  write(peaks.alpha, alpha_peak);
+  write(peaks.alpha_time, alpha_time);
+  return QTRAJ_OK;
+}
+
+qtraj_status qtraj_energy(const qtraj_trajectory* trajectory, double* energy) {
+  return scalar(trajectory, energy, qtraj::energy);
+}
+
+qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, double* angle) {
+  return scalar(trajectory, angle, qtraj::total_angle);
+}
+
+}  // extern "C"
