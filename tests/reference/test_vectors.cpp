@@ -3,9 +3,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <numeric>
 
-#include "support/trajectory.hpp"
+#include "support/derivative.hpp"
 #include "support/vector_file.hpp"
 
 namespace {
@@ -13,20 +14,47 @@ namespace {
 using test::Keys;
 using test::Quaternion;
 using test::Trajectory;
+using test::Vector;
 using test::VectorFile;
 
-test::Settings settings_of(const VectorFile& file) {
+// The trajectory a file describes.
+Trajectory trajectory_of(const VectorFile& file) {
+  const std::map<std::string, int32_t> methods = {{"slerp", QTRAJ_SLERP},
+                                                  {"nlerp", QTRAJ_NLERP},
+                                                  {"squad", QTRAJ_SQUAD},
+                                                  {"logspline", QTRAJ_LOG_SPLINE},
+                                                  {"hermite", QTRAJ_HERMITE},
+                                                  {"spline", QTRAJ_ROTATION_SPLINE},
+                                                  {"rotquintic", QTRAJ_ROTATION_QUINTIC},
+                                                  {"quintic", QTRAJ_QUATERNION_QUINTIC}};
+  const std::map<std::string, int32_t> ends = {{"chord", QTRAJ_END_CHORD},
+                                               {"natural", QTRAJ_END_NATURAL},
+                                               {"estimated", QTRAJ_END_ESTIMATED},
+                                               {"given", QTRAJ_END_GIVEN}};
   test::Settings settings{};
-  if (file.method == "slerp") settings.method = QTRAJ_SLERP;
-  if (file.method == "nlerp") settings.method = QTRAJ_NLERP;
-  if (file.method == "squad") settings.method = QTRAJ_SQUAD;
-  if (file.method == "logspline") settings.method = QTRAJ_LOG_SPLINE;
-  for (const auto& [option, value] : file.options) {
-    if (option == "tangents" && value == "catmull_rom") settings.tangents = QTRAJ_TANGENT_CATMULL_ROM;
-    if (option == "tangents" && value == "mean_velocity") settings.tangents = QTRAJ_TANGENT_MEAN_VELOCITY;
-    if (option == "boundary" && value == "natural") settings.end = QTRAJ_END_NATURAL;
+  settings.method = methods.at(file.method);
+  std::vector<double> end_rates;
+  for (const auto& [option, values] : file.options) {
+    if (option == "boundary") settings.end = ends.at(values.at(0));
+    if (option == "tangents")
+      settings.tangents = values.at(0) == "catmull_rom" ? QTRAJ_TANGENT_CATMULL_ROM : QTRAJ_TANGENT_MEAN_VELOCITY;
+    if (option == "end_rates_body")
+      for (const std::string& value : values) end_rates.push_back(std::stod(value));
   }
-  return settings;
+  qtraj_options* options = test::make_options(settings);
+  if (!end_rates.empty())
+    REQUIRE(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, &end_rates.at(0), &end_rates.at(3)) == QTRAJ_OK);
+  qtraj_trajectory* handle = nullptr;
+  const double *times = file.keys.times.data(), *q = file.keys.q.data();
+  if (file.omega_world.empty()) {
+    CHECK(qtraj_create_with(options, times, q, file.keys.count(), &handle, nullptr) == QTRAJ_OK);
+  } else {
+    const double* alpha = file.method == "hermite" ? nullptr : file.alpha_world.data();
+    CHECK(qtraj_create_with_rates(options, times, q, QTRAJ_FRAME_WORLD, file.omega_world.data(), alpha,
+                                  file.keys.count(), &handle, nullptr) == QTRAJ_OK);
+  }
+  qtraj_options_destroy(options);
+  return Trajectory(handle);
 }
 
 // Rotation angle from key to key, the shorter way.
@@ -40,13 +68,23 @@ double step_angle(const Keys& keys, size_t key) {
   return 4.0 * std::atan2(std::sqrt(std::min(difference, sum)), std::sqrt(std::max(difference, sum)));
 }
 
-// Largest rotation angle that a method's exponent takes at the keys, rad: between neighbours, or from the first key.
-double exponent_angle(const VectorFile& file, const Keys& keys) {
+double length_at(const std::vector<double>& vectors, size_t row) {
+  return std::sqrt(vectors[3 * row] * vectors[3 * row] + vectors[3 * row + 1] * vectors[3 * row + 1] +
+                   vectors[3 * row + 2] * vectors[3 * row + 2]);
+}
+
+// Largest rotation angle that a method's exponent takes, rad: from the first key for LOG_SPLINE, else within a segment,
+// where a cubic leaves the chord by up to 4/27 of each of its end slopes.
+double exponent_angle(const VectorFile& file, const Trajectory& trajectory) {
+  const Keys keys = trajectory.keys();
+  const std::vector<double> omega = trajectory.sample_rates(QTRAJ_FRAME_BODY, keys.times).omega;
   double largest = 0, turned = 0;
   for (size_t key = 0; key + 1 < keys.count(); ++key) {
-    const double step = step_angle(keys, key);
+    const double step = step_angle(keys, key), h = keys.times[key + 1] - keys.times[key];
     turned += step;  // at least the angle from the first key; equal to it for turns about one axis
-    largest = std::max(largest, file.method == "logspline" ? turned : step);
+    const double bulge =
+        file.method == "spline" ? 4.0 / 27.0 * h * (length_at(omega, key) + length_at(omega, key + 1)) : 0.0;
+    largest = std::max(largest, file.method == "logspline" ? turned : step + bulge);
   }
   return largest;
 }
@@ -67,14 +105,52 @@ double natural_spline_growth(const Keys& keys, const std::vector<double>& times)
   return *std::max_element(sums.begin(), sums.end());
 }
 
+// Accuracy as the README promises it: of q, and of rates relative to the scales below.
 struct Bound {
-  double f64, f32;
+  double q, q_f32, rates;
 };
-Bound accuracy(const VectorFile& file, const Keys& keys) {
-  if (file.method == "slerp" || file.method == "nlerp") return {4e-16, 2.5e-7};
-  const double factor = 1.0 + exponent_angle(file, keys);
-  const double growth = file.name == "logspline_wild" ? natural_spline_growth(keys, file.sample_times()) : 1.0;
-  return {4e-16 * factor * growth, 3e-7 * factor};
+Bound accuracy(const VectorFile& file, const Trajectory& trajectory) {
+  if (file.method == "slerp" || file.method == "nlerp") return {4e-16, 2.5e-7, 1e-13};
+  if (file.method == "quintic") return {4e-16, 2.2e-7, 1e-13};  // S/n of the promise is at least 1
+  const double factor = 1.0 + exponent_angle(file, trajectory);
+  const double growth =
+      file.name == "logspline_wild" ? natural_spline_growth(trajectory.keys(), file.sample_times()) : 1.0;
+  return {4e-16 * factor * growth, 3e-7 * factor, 1e-13 * growth};
+}
+
+// Scales of the errors: the largest |omega|, and the larger of the largest |alpha| and |omega|/h.
+struct Scales {
+  double omega, alpha;
+};
+Scales scales_of(const VectorFile& file) {
+  Scales scales = {0, 0};
+  for (const VectorFile::Sample& sample : file.samples) {
+    size_t segment = 0;
+    while (segment + 2 < file.keys.count() && file.keys.times[segment + 1] <= sample.time) ++segment;
+    const double h = file.keys.times[segment + 1] - file.keys.times[segment];
+    const double speed = test::length(sample.omega_world);
+    scales.omega = std::max(scales.omega, speed);
+    scales.alpha = std::max({scales.alpha, test::length(sample.alpha_world), speed / h});
+  }
+  return scales;
+}
+
+struct RateErrors {
+  double omega, alpha;
+};
+template <class Motion>
+RateErrors rate_errors(const VectorFile& file, const Motion& motion) {
+  RateErrors worst = {0, 0};
+  for (size_t i = 0; i < file.samples.size(); ++i) {
+    Vector omega, alpha;
+    for (size_t k = 0; k < 3; ++k) {
+      omega[k] = static_cast<double>(motion.omega[3 * i + k]);
+      alpha[k] = static_cast<double>(motion.alpha[3 * i + k]);
+    }
+    worst.omega = std::max(worst.omega, test::distance(omega, file.samples[i].omega_world));
+    worst.alpha = std::max(worst.alpha, test::distance(alpha, file.samples[i].alpha_world));
+  }
+  return worst;
 }
 
 template <class Real>
@@ -91,47 +167,62 @@ bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)) == 0;
 }
 
-std::vector<std::string> all_files() {
-  std::vector<std::string> names;
-  for (const char* method : {"slerp", "nlerp", "squad", "logspline"})
-    for (const std::string& name : test::vector_files(method)) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 TEST_CASE("samples agree with 60-digit values", "[vectors]") {
-  for (const std::string& name : all_files()) {
+  for (const std::string& name : test::vector_files()) {
     const VectorFile file = test::read_vector_file(name);
-    const Trajectory trajectory(settings_of(file), file.keys);
-    const Bound bound = accuracy(file, trajectory.keys());
-    CAPTURE(name, bound.f64, bound.f32);
-    CHECK(worst_error(file, trajectory.sample(file.sample_times())) <= bound.f64);
-    CHECK(worst_error(file, trajectory.sample_f32(file.sample_times())) <= bound.f32);
+    const Trajectory trajectory = trajectory_of(file);
+    const Bound bound = accuracy(file, trajectory);
+    CAPTURE(name, bound.q, bound.q_f32);
+    CHECK(worst_error(file, trajectory.sample(file.sample_times())) <= bound.q);
+    CHECK(worst_error(file, trajectory.sample_f32(file.sample_times())) <= bound.q_f32);
   }
 }
 
-TEST_CASE("keys of float lead to the same curve to their rounding", "[vectors][f32]") {
-  for (const std::string& name : all_files()) {
-    if (name.find("wild") != std::string::npos) continue;  // amplifies the rounding of its keys
+TEST_CASE("rates agree with 60-digit values", "[vectors][rates]") {
+  for (const std::string& name : test::vector_files()) {
     const VectorFile file = test::read_vector_file(name);
-    const std::vector<float> q(file.keys.q.begin(), file.keys.q.end());
-    qtraj_trajectory* handle = nullptr;
-    qtraj_options* options = test::make_options(settings_of(file));
-    REQUIRE(qtraj_create_with_f32(options, file.keys.times.data(), q.data(), file.keys.count(), &handle, nullptr) ==
-            QTRAJ_OK);
-    qtraj_options_destroy(options);
-    const Trajectory trajectory(handle);
-    const double factor = 1.0 + exponent_angle(file, trajectory.keys());
+    const Trajectory trajectory = trajectory_of(file);
+    const Bound bound = accuracy(file, trajectory);
+    const Scales scales = scales_of(file);
+    const RateErrors error = rate_errors(file, trajectory.sample_rates(QTRAJ_FRAME_WORLD, file.sample_times()));
+    const RateErrors error_f32 = rate_errors(file, trajectory.sample_rates_f32(QTRAJ_FRAME_WORLD, file.sample_times()));
+    CAPTURE(name, bound.rates);
+    CHECK(error.omega <= bound.rates * scales.omega);
+    CHECK(error.alpha <= bound.rates * scales.alpha);
+    CHECK(error_f32.omega <= 1e-5 * scales.omega);
+    CHECK(error_f32.alpha <= 1e-5 * scales.alpha);
+  }
+}
+
+TEST_CASE("rates in the body frame are those in the world frame, turned, and q is that of sample", "[vectors][rates]") {
+  for (const std::string& name : test::vector_files()) {
+    const VectorFile file = test::read_vector_file(name);
+    const Trajectory trajectory = trajectory_of(file);
+    const std::vector<double> times = file.sample_times();
+    const auto body = trajectory.sample_rates(QTRAJ_FRAME_BODY, times);
+    const auto world = trajectory.sample_rates(QTRAJ_FRAME_WORLD, times);
+    const Scales scales = scales_of(file);
     CAPTURE(name);
-    CHECK(worst_error(file, trajectory.sample(file.sample_times())) <= 4e-7 * factor);
+    CHECK(same_bits(body.q, trajectory.sample(times)));
+    CHECK(same_bits(trajectory.sample_rates_f32(QTRAJ_FRAME_BODY, times).q, trajectory.sample_f32(times)));
+    for (size_t i = 0; i < times.size(); ++i) {
+      const Quaternion q = {body.q[4 * i], body.q[4 * i + 1], body.q[4 * i + 2], body.q[4 * i + 3]};
+      const auto turned = [&](const std::vector<double>& v) {
+        return test::rotate(q, {v[3 * i], v[3 * i + 1], v[3 * i + 2]});
+      };
+      const auto row = [&](const std::vector<double>& v) { return Vector{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; };
+      CHECK(test::distance(turned(body.omega), row(world.omega)) <= 4e-15 * scales.omega);
+      CHECK(test::distance(turned(body.alpha), row(world.alpha)) <= 4e-15 * scales.alpha);
+    }
   }
 }
 
 TEST_CASE("a time gives the same bits in any order and from every function", "[vectors][bits]") {
-  for (const std::string& name : all_files()) {
+  for (const std::string& name : test::vector_files()) {
     const VectorFile file = test::read_vector_file(name);
-    const Trajectory trajectory(settings_of(file), file.keys);
+    const Trajectory trajectory = trajectory_of(file);
     const std::vector<double> times = file.sample_times();
     const std::vector<double> q = trajectory.sample(times);
     const std::vector<float> q_f32 = trajectory.sample_f32(times);
@@ -165,9 +256,9 @@ TEST_CASE("a time gives the same bits in any order and from every function", "[v
 }
 
 TEST_CASE("uniform sampling gives the bits of sampling the same times", "[vectors][bits]") {
-  for (const std::string& name : all_files()) {
+  for (const std::string& name : test::vector_files()) {
     const VectorFile file = test::read_vector_file(name);
-    const Trajectory trajectory(settings_of(file), file.keys);
+    const Trajectory trajectory = trajectory_of(file);
     constexpr size_t kCount = 100;
     const double start = file.keys.times.front(), step = (file.keys.times.back() - start) / kCount;
     std::vector<double> times(kCount), q(4 * kCount);
@@ -182,7 +273,7 @@ TEST_CASE("uniform sampling gives the bits of sampling the same times", "[vector
 }
 
 TEST_CASE("no reference file is left out", "[vectors]") {
-  const std::vector<std::string> names = all_files();
+  const std::vector<std::string> names = test::vector_files();
   size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(QTRAJ_REFERENCE_DIR)) {
     const std::string name = entry.path().stem().string();

@@ -56,6 +56,12 @@ inline Quaternion about(const Vector& axis, double angle) {
   return {std::cos(0.5 * angle), axis[0] * s, axis[1] * s, axis[2] * s};
 }
 
+// q v q*.
+inline Vector rotate(const Quaternion& q, const Vector& v) {
+  const Quaternion turned = multiply(multiply(q, {0, v[0], v[1], v[2]}), {q[0], -q[1], -q[2], -q[3]});
+  return {turned[1], turned[2], turned[3]};
+}
+
 struct Keys {
   std::vector<double> times, q;
 

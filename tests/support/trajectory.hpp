@@ -66,6 +66,36 @@ class Trajectory {
     REQUIRE(qtraj_sample_at(handle_, time, nullptr, q.data()) == QTRAJ_OK);
     return q;
   }
+  // q, omega and alpha of the sampled times, in a frame.
+  template <class Real>
+  struct Motion {
+    std::vector<Real> q, omega, alpha;
+  };
+  Motion<double> sample_rates(int32_t frame, const std::vector<double>& times) const {
+    Motion<double> m = {std::vector<double>(4 * times.size()), std::vector<double>(3 * times.size()),
+                        std::vector<double>(3 * times.size())};
+    REQUIRE(qtraj_sample_rates(handle_, frame, times.data(), times.size(), m.q.data(), m.omega.data(), m.alpha.data(),
+                               nullptr) == QTRAJ_OK);
+    return m;
+  }
+  Motion<float> sample_rates_f32(int32_t frame, const std::vector<double>& times) const {
+    Motion<float> m = {std::vector<float>(4 * times.size()), std::vector<float>(3 * times.size()),
+                       std::vector<float>(3 * times.size())};
+    REQUIRE(qtraj_sample_rates_f32(handle_, frame, times.data(), times.size(), m.q.data(), m.omega.data(),
+                                   m.alpha.data(), nullptr) == QTRAJ_OK);
+    return m;
+  }
+  // Rates at one time.
+  struct RatesAt {
+    Quaternion q;
+    Vector omega, alpha;
+  };
+  RatesAt rates_at(int32_t frame, double time) const {
+    RatesAt at{};
+    REQUIRE(qtraj_sample_rates_at(handle_, frame, time, nullptr, at.q.data(), at.omega.data(), at.alpha.data()) ==
+            QTRAJ_OK);
+    return at;
+  }
   // Keys as used.
   Keys keys() const {
     Keys keys;

@@ -15,8 +15,9 @@ namespace test {
 
 struct VectorFile {
   std::string name, method;
-  std::map<std::string, std::string> options;
+  std::map<std::string, std::vector<std::string>> options;
   Keys keys;
+  std::vector<double> omega_world, alpha_world;  // given at the keys
   struct Sample {
     double time;
     Quaternion q;
@@ -49,7 +50,8 @@ inline VectorFile read_vector_file(const std::string& name) {
     size_t count = 0;
     words >> word;
     if (word == "method") words >> file.method;
-    if (word == "option" && words >> option) words >> file.options[option];
+    if (word == "option" && words >> option)
+      while (words >> word) file.options[option].push_back(word);
     if (word == "keys" && words >> count) {
       for (size_t key = 0; key < count; ++key) {
         auto fields = row();
@@ -57,6 +59,8 @@ inline VectorFile read_vector_file(const std::string& name) {
         Quaternion q{};
         REQUIRE(fields >> time >> q[0] >> q[1] >> q[2] >> q[3]);
         file.keys.add(time, q);
+        double rate = 0;
+        for (size_t k = 0; k < 6 && fields >> rate; ++k) (k < 3 ? file.omega_world : file.alpha_world).push_back(rate);
       }
     }
     if (word == "samples" && words >> count) {
@@ -75,15 +79,18 @@ inline VectorFile read_vector_file(const std::string& name) {
   return file;
 }
 
-// Names of all files whose name starts with one of the methods' prefixes, listed by hand: a file that is missing from
-// the folder fails its test.
-inline std::vector<std::string> vector_files(const std::string& method) {
-  const std::vector<std::string> common = {"halfturn",  "ragged", "repeated", "three", "tiny0.001",    "tiny1e-08",
-                                           "tiny1e-12", "two",    "uniform",  "unix",  "unnormalised", "wild"};
-  std::vector<std::string> names;
-  for (const std::string& set : common) names.push_back(method + "_" + set);
-  if (method == "squad") names.push_back("squad_mean_velocity");
-  if (method == "logspline") names.insert(names.end(), {"logspline_spin", "logspline_turns"});
+// Names of all files, listed by hand: a file that is missing from the folder fails its test.
+inline std::vector<std::string> vector_files() {
+  std::vector<std::string> names = {"squad_mean_velocity",   "logspline_spin",         "logspline_turns",
+                                    "spline_chord",          "spline_chord_long",      "spline_estimated",
+                                    "spline_estimated_fast", "spline_estimated_three", "spline_given"};
+  for (const char* method : {"slerp", "nlerp", "squad", "logspline", "spline"})
+    for (const char* set : {"halfturn", "ragged", "repeated", "three", "tiny0.001", "tiny1e-08", "tiny1e-12", "two",
+                            "uniform", "unix", "unnormalised", "wild"})
+      if (std::string(method) != "spline" || std::string(set) != "halfturn")
+        names.push_back(std::string(method) + "_" + set);
+  for (const char* method : {"hermite", "rotquintic", "quintic"})
+    for (const char* set : {"many", "two", "two_fast"}) names.push_back(std::string(method) + "_" + set);
   return names;
 }
 
