@@ -113,6 +113,42 @@ TEST_CASE("the right Jacobian takes rates of the rotation vector to body rates",
   }
 }
 
+TEST_CASE("the inverse right Jacobian inverts it, up to a turn", "[so3]") {
+  test::Random random(6);
+  for (const double angle : {0.0, 1e-12, 0.5, 3.0, 3.141592, 3.141594, 6.0}) {
+    for (int i = 0; i < 20; ++i) {
+      const Vector3 r = angle * direction(random), w = direction(random);
+      const Vector3 back = qtraj::right_jacobian(r, qtraj::inverse_right_jacobian(r, w));
+      CAPTURE(angle);
+      CHECK((back - w).norm() <= 3e-15 / (1 - angle / 6.3));
+      CHECK((qtraj::product(qtraj::right_jacobian_matrix(r), w) - qtraj::right_jacobian(r, w)).norm() <= 2e-15);
+      CHECK((qtraj::product(qtraj::inverse_right_jacobian_matrix(r), w) - qtraj::inverse_right_jacobian(r, w)).norm() <=
+            4e-15 / (1 - angle / 6.3));
+    }
+  }
+}
+
+TEST_CASE("the turning acceleration is the change of the right Jacobian along the way", "[so3]") {
+  test::Random random(7);
+  for (const double angle : {0.0, 1e-9, 0.5, 3.141592, 3.141594, 5.0}) {
+    for (int i = 0; i < 20; ++i) {
+      const Vector3 r = angle * direction(random), d = direction(random);
+      constexpr double kStep = 1e-4;
+      const auto jacobian = [&](double t) { return qtraj::right_jacobian(r + t * d, d); };
+      // (Jr(r + t d) d)' at 0, fourth order
+      const Vector3 expected =
+          (8.0 * (jacobian(kStep) - jacobian(-kStep)) - (jacobian(2 * kStep) - jacobian(-2 * kStep))) / (12.0 * kStep);
+      CAPTURE(angle);
+      CHECK((qtraj::turning_acceleration(r, d) - expected).norm() <= 1e-11);
+
+      // quadratic in d: its derivative is the exact difference over any step
+      const Vector3 step = 0.25 * direction(random);
+      const Vector3 difference = qtraj::turning_acceleration(r, d + step) - qtraj::turning_acceleration(r, d - step);
+      CHECK((2.0 * qtraj::product(qtraj::turning_jacobian(r, d), step) - difference).norm() <= 1e-14);
+    }
+  }
+}
+
 TEST_CASE("body and world vectors turn into each other", "[so3]") {
   const Quaternion quarter(std::sqrt(0.5), 0, 0, std::sqrt(0.5));  // body x is world y
   CHECK((qtraj::to_world(quarter, {1, 0, 0}) - Vector3(0, 1, 0)).norm() <= 5e-16);
