@@ -55,7 +55,7 @@ struct Keyframes {
   size_t count;
 
   UnitQuaternion operator[](size_t key) const;
-  void set(size_t key, const UnitQuaternion& q);
+  void set(size_t key, const UnitQuaternion& unit);
   size_t segments() const { return count - 1; }
   // length of segment i
   double step(size_t segment) const { return times[segment + 1] - times[segment]; }

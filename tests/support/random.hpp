@@ -2,6 +2,7 @@
 #ifndef QTRAJ_TESTS_RANDOM_HPP
 #define QTRAJ_TESTS_RANDOM_HPP
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
