@@ -1,5 +1,6 @@
 #include "qtraj/curve_diagnostics.hpp"
 
+#include "qtraj/least_norm.hpp"
 #include "qtraj/options.hpp"
 #include "translate.hpp"
 

@@ -5,8 +5,8 @@
 
 namespace qtraj {
 
-// Right-hand minus left-hand omega and alpha at each knot, [key_count][3] in `frame`, each may be null. At the ends 0, or,
-// of a closed curve, the jump from its end to its start. not_finite with the knot's index where they overflow.
+// Right-hand minus left-hand omega and alpha at each knot, [key_count][3] in `frame`, each may be null. At the ends 0,
+// or, of a closed curve, the jump from its end to its start. not_finite with the knot's index where they overflow.
 Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
 
 // Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
@@ -22,11 +22,5 @@ struct PeakRates {
   double omega, omega_time, alpha, alpha_time;
 };
 Outcome peak_rates(const Trajectory& trajectory, PeakRates& peaks);
-
-// Smallest norm of a normalised segment before it is normalised, and where; 1 at the first knot for other kinds.
-struct LeastNorm {
-  double norm, time;
-};
-LeastNorm least_norm(const Trajectory& trajectory);
 
 }  // namespace qtraj

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "qtraj/method.hpp"
+#include "qtraj/rate_equations.hpp"
 
 namespace qtraj {
-
-constexpr size_t kRotationSplineWorkspacePerKey = 48;
 
 // ROTATION_SPLINE: q_i exp(r/2), r a cubic per segment with r(0) = 0 and r(h) = R_i = 2 log(q_i* q_{i+1}), the body
 // rates w_i at the knots such that alpha is continuous. With A_i = Jr^-1(R_i), r'(h) = A_i w_{i+1}:
