@@ -2,8 +2,9 @@
  *
  *   01_sample_recording RECORDING.csv METHOD RATE OUT.csv
  *
- * METHOD is slerp, nlerp, squad or log_spline, RATE in samples a second. The recording has a line t,qw,qx,qy,qz,... for
- * each key and is read as its archive has it: norms a little off 1, signs that flip. The library mends both. */
+ * METHOD is slerp, nlerp, squad, log_spline or rotation_spline, RATE in samples a second. The recording has a line
+ * t,qw,qx,qy,qz,... for each key and is read as its archive has it: norms a little off 1, signs that flip. The library
+ * mends both. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@ static int32_t method_named(const char* name) {
   if (strcmp(name, "nlerp") == 0) return QTRAJ_NLERP;
   if (strcmp(name, "squad") == 0) return QTRAJ_SQUAD;
   if (strcmp(name, "log_spline") == 0) return QTRAJ_LOG_SPLINE;
+  if (strcmp(name, "rotation_spline") == 0) return QTRAJ_ROTATION_SPLINE;
   return 0; /* no method: qtraj_create will say so */
 }
 
@@ -42,7 +44,7 @@ int main(int argc, char** argv) {
   size_t count, i;
 
   if (!(rate > 0 && rate <= 1e6)) {
-    fprintf(stderr, "usage: %s RECORDING.csv slerp|nlerp|squad|log_spline RATE OUT.csv\n", argv[0]);
+    fprintf(stderr, "usage: %s RECORDING.csv slerp|nlerp|squad|log_spline|rotation_spline RATE OUT.csv\n", argv[0]);
     return 1;
   }
   keys = read_keys(argv[1], columns);

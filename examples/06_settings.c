@@ -24,6 +24,9 @@ static const struct setting settings[] = {
     {"LOG_SPLINE", QTRAJ_LOG_SPLINE, 0, 0, 0},
     {"LOG_SPLINE, not a knot", QTRAJ_LOG_SPLINE, QTRAJ_END_NOT_A_KNOT, 0, 0},
     {"LOG_SPLINE, about the mean", QTRAJ_LOG_SPLINE, 0, 0, QTRAJ_REFERENCE_MEAN},
+    {"ROTATION_SPLINE", QTRAJ_ROTATION_SPLINE, 0, 0, 0},
+    {"ROTATION_SPLINE, natural", QTRAJ_ROTATION_SPLINE, QTRAJ_END_NATURAL, 0, 0},
+    {"HERMITE, measured rates", QTRAJ_HERMITE, 0, 0, 0},
 };
 
 static qtraj_trajectory* create(const struct setting* setting, const struct keys* keys, const double* omega_world) {
@@ -34,7 +37,7 @@ static qtraj_trajectory* create(const struct setting* setting, const struct keys
   if (setting->ends) must(qtraj_options_set_ends(options, setting->ends, setting->ends), "ends");
   if (setting->tangents) must(qtraj_options_set_tangents(options, setting->tangents), "tangents");
   if (setting->reference) must(qtraj_options_set_reference(options, setting->reference, NULL), "reference");
-  if (setting->tangents == QTRAJ_TANGENT_GIVEN)
+  if (setting->tangents == QTRAJ_TANGENT_GIVEN || setting->method == QTRAJ_HERMITE)
     must(qtraj_create_with_rates(options, keys->times, keys->q[0], QTRAJ_FRAME_WORLD, omega_world, NULL, keys->count,
                                  &curve, NULL),
          setting->name);
@@ -118,6 +121,9 @@ int main(int argc, char** argv) {
  *   LOG_SPLINE                   0.177  1.01
  *   LOG_SPLINE, not a knot       0.177  1.01
  *   LOG_SPLINE, about the mean   0.182  1.03
+ *   ROTATION_SPLINE              0.176  1.01
+ *   ROTATION_SPLINE, natural     0.176  1.01
+ *   HERMITE, measured rates      0.106  0.43
  *   $ ./06_settings data/newhorizons_signflip.csv 10
  *     43 of  425 keys            error in degrees: rms, largest
  *   SLERP                        0.029  0.28
@@ -129,4 +135,7 @@ int main(int argc, char** argv) {
  *   LOG_SPLINE                   0.023  0.23
  *   LOG_SPLINE, not a knot       0.020  0.18
  *   LOG_SPLINE, about the mean   0.023  0.23
+ *   ROTATION_SPLINE              0.021  0.20
+ *   ROTATION_SPLINE, natural     0.023  0.23
+ *   HERMITE, measured rates      0.017  0.16
  */

@@ -2,31 +2,20 @@
  *
  *   08_cycle ANIMATION.csv
  *
- * The right upper arm of the fox of lesson 3: it ends as it begins. With PERIODIC ends the curve also turns at the same
- * rate on both sides of the seam, and with PERIODIC extrapolation it can be sampled at any time. */
+ * The right upper arm of the fox of lesson 3: it ends as it begins. With PERIODIC ends the curve goes on at the seam as
+ * it does at its other keys: SQUAD at the same rate, ROTATION_SPLINE with the same acceleration too. With PERIODIC
+ * extrapolation it can be sampled at any time. */
+#include <math.h>
 #include <stdio.h>
 
 #include "lesson.h"
 
 enum { arm_begins = 4 * 25, arm_keys = 25 }; /* the fifth joint of the file */
 
-/* Angle by which the rate jumps at the seam: between the turns just before and just after it, degrees a second. */
-static double jump_at_seam(const qtraj_trajectory* arm) {
-  const double seam = qtraj_end_time(arm), step = 1e-5;
-  double times[3], q[3][4], mirrored[4], dot = 0;
-  int k;
-  for (k = 0; k < 3; ++k) times[k] = seam + (k - 1) * step;
-  must(qtraj_sample(arm, times, 3, q[0], NULL), "sample");
-  /* where q[2] would be if the turn before the seam went on: q[0] reflected at q[1] */
-  for (k = 0; k < 4; ++k) dot += q[0][k] * q[1][k];
-  for (k = 0; k < 4; ++k) mirrored[k] = 2.0 * dot * q[1][k] - q[0][k];
-  return degrees_between(mirrored, q[2]) / step;
-}
-
-static qtraj_trajectory* create_arm(const struct keys* keys, int32_t ends) {
+static qtraj_trajectory* create_arm(const struct keys* keys, int32_t method, int32_t ends) {
   qtraj_options* options;
   qtraj_trajectory* arm;
-  must(qtraj_options_create(QTRAJ_SQUAD, &options), "options");
+  must(qtraj_options_create(method, &options), "options");
   must(qtraj_options_set_ends(options, ends, ends), "ends");
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC), "options");
   must(qtraj_create_with(options, keys->times + arm_begins, keys->q[arm_begins], arm_keys, &arm, NULL), "create");
@@ -34,11 +23,23 @@ static qtraj_trajectory* create_arm(const struct keys* keys, int32_t ends) {
   return arm;
 }
 
+/* The jumps at the first key of a closed curve are those from its end to its start. */
+static void report_seam(const struct keys* keys, const char* name, int32_t method, int32_t ends) {
+  qtraj_trajectory* arm = create_arm(keys, method, ends);
+  double omega[arm_keys][3], alpha[arm_keys][3], omega_peak, alpha_peak;
+  must(qtraj_knot_jumps(arm, QTRAJ_FRAME_BODY, omega[0], alpha[0]), "jumps");
+  must(qtraj_peak_rates(arm, &omega_peak, NULL, &alpha_peak, NULL), "peaks");
+  printf("%-32s %8.3f of %6.3f rad/s  %8.1f of %6.1f rad/s^2\n", name,
+         sqrt(omega[0][0] * omega[0][0] + omega[0][1] * omega[0][1] + omega[0][2] * omega[0][2]), omega_peak,
+         sqrt(alpha[0][0] * alpha[0][0] + alpha[0][1] * alpha[0][1] + alpha[0][2] * alpha[0][2]), alpha_peak);
+  qtraj_destroy(arm);
+}
+
 int main(int argc, char** argv) {
   const int columns[5] = {1, 5, 2, 3, 4};
   struct keys keys;
-  qtraj_trajectory *cycle, *open;
-  double period, q[4];
+  qtraj_trajectory* cycle;
+  double period, q[4], omega_body[3];
   int round;
 
   if (argc != 2) {
@@ -48,19 +49,20 @@ int main(int argc, char** argv) {
   keys = read_keys(argv[1], columns);
   if (keys.count < arm_begins + arm_keys) return 1;
 
-  cycle = create_arm(&keys, QTRAJ_END_PERIODIC);
+  cycle = create_arm(&keys, QTRAJ_ROTATION_SPLINE, QTRAJ_END_PERIODIC);
   period = qtraj_end_time(cycle) - qtraj_start_time(cycle);
   for (round = -1000; round <= 1000; round += 500) {
-    must(qtraj_sample_at(cycle, 0.5 + round * period, NULL, q), "sample");
-    printf("round %5d  %7.4f %7.4f %7.4f %7.4f\n", round, q[0], q[1], q[2], q[3]);
+    must(qtraj_sample_rates_at(cycle, QTRAJ_FRAME_BODY, 0.5 + round * period, NULL, q, omega_body, NULL), "sample");
+    printf("round %5d  %7.4f %7.4f %7.4f %7.4f  turning at %.3f rad/s about z\n", round, q[0], q[1], q[2], q[3],
+           omega_body[2]);
   }
-
-  open = create_arm(&keys, QTRAJ_END_CHORD);
-  printf("jump of the rate at the seam, degrees/s: periodic ends %.1f, chord ends %.1f\n", jump_at_seam(cycle),
-         jump_at_seam(open));
-
-  qtraj_destroy(open);
   qtraj_destroy(cycle);
+
+  printf("jump at the seam, and the largest of the curve\n");
+  report_seam(&keys, "SQUAD, chord ends", QTRAJ_SQUAD, QTRAJ_END_CHORD);
+  report_seam(&keys, "SQUAD, periodic", QTRAJ_SQUAD, QTRAJ_END_PERIODIC);
+  report_seam(&keys, "ROTATION_SPLINE, estimated ends", QTRAJ_ROTATION_SPLINE, QTRAJ_END_ESTIMATED);
+  report_seam(&keys, "ROTATION_SPLINE, periodic", QTRAJ_ROTATION_SPLINE, QTRAJ_END_PERIODIC);
   free_keys(&keys);
   return 0;
 }
@@ -68,10 +70,14 @@ int main(int argc, char** argv) {
 /* Prints, in this folder:
  *
  *   $ ./08_cycle data/fox_run_gltf.csv
- *   round -1000   0.6723  0.0004 -0.0117 -0.7401
- *   round  -500   0.6723  0.0004 -0.0117 -0.7401
- *   round     0   0.6723  0.0004 -0.0117 -0.7401
- *   round   500   0.6723  0.0004 -0.0117 -0.7401
- *   round  1000   0.6723  0.0004 -0.0117 -0.7401
- *   jump of the rate at the seam, degrees/s: periodic ends 0.0, chord ends 145.7
+ *   round -1000   0.6723  0.0004 -0.0117 -0.7401  turning at -16.406 rad/s about z
+ *   round  -500   0.6723  0.0004 -0.0117 -0.7401  turning at -16.406 rad/s about z
+ *   round     0   0.6723  0.0004 -0.0117 -0.7401  turning at -16.406 rad/s about z
+ *   round   500   0.6723  0.0004 -0.0117 -0.7401  turning at -16.406 rad/s about z
+ *   round  1000   0.6723  0.0004 -0.0117 -0.7401  turning at -16.406 rad/s about z
+ *   jump at the seam, and the largest of the curve
+ *   SQUAD, chord ends                   2.544 of 16.139 rad/s      63.2 of  559.8 rad/s^2
+ *   SQUAD, periodic                     0.000 of 16.139 rad/s      63.2 of  559.8 rad/s^2
+ *   ROTATION_SPLINE, estimated ends     0.501 of 16.484 rad/s     142.0 of  447.5 rad/s^2
+ *   ROTATION_SPLINE, periodic           0.000 of 16.484 rad/s       0.0 of  447.5 rad/s^2
  */

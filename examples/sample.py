@@ -3,8 +3,8 @@
 
     sample.py RECORDING.csv METHOD STEP [LIBRARY]
 
-METHOD is slerp, nlerp, squad or log_spline, STEP in seconds. LIBRARY is the path of libqtraj.so.0 where the system does
-not find it by itself. Prints t,qw,qx,qy,qz.
+METHOD is slerp, nlerp, squad, log_spline or rotation_spline, STEP in seconds. LIBRARY is the path of libqtraj.so.0
+where the system does not find it by itself. Prints t,qw,qx,qy,qz.
 """
 
 import csv
@@ -12,7 +12,8 @@ import ctypes
 import sys
 from ctypes import POINTER, byref, c_char_p, c_double, c_int32, c_size_t, c_void_p
 
-METHODS = {"slerp": 1, "nlerp": 2, "squad": 3, "log_spline": 4}  # values never change their meaning
+# values never change their meaning
+METHODS = {"slerp": 1, "nlerp": 2, "squad": 3, "log_spline": 4, "rotation_spline": 5}
 
 
 def load(path):

@@ -39,7 +39,7 @@ build/app | diff app.txt - || fail "the program built by CMake prints something 
 # ---- Claims ----
 
 "$CC" -std=c99 -O1 -Wall -Wextra -pedantic -Wconversion -Werror "$SOURCE"/tests/package/readme/*.c -o claims \
-  $(pkg-config --static --cflags qtraj) -Wl,--wrap=malloc "$libdir/libqtraj.a" -lm
+  $(pkg-config --static --cflags qtraj) -I. -Wl,--wrap=malloc "$libdir/libqtraj.a" -lm
 ./claims || failed=1
 
 # ---- Names ----

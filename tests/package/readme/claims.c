@@ -7,6 +7,7 @@
 int failures = 0;
 const double times[count] = {0, 1, 1.5, 3, 4, 4.2, 5, 7};
 double keys[count][4];
+static double omega_body[count][3], alpha_body[count][3];
 double closed_keys[count][4];
 
 void turn(double angle, double x, double y, double z, double q[4]) {
@@ -19,7 +20,11 @@ void turn(double angle, double x, double y, double z, double q[4]) {
 
 static void make_keys(void) {
   int i;
-  for (i = 0; i < count; ++i) turn(0.5 * times[i], 1 + 0.2 * sin(times[i]), 1, 0.5 * cos(times[i]), keys[i]);
+  for (i = 0; i < count; ++i) {
+    turn(0.5 * times[i], 1 + 0.2 * sin(times[i]), 1, 0.5 * cos(times[i]), keys[i]);
+    omega_body[i][0] = omega_body[i][1] = 0.3;
+    alpha_body[i][2] = 0.02;
+  }
   memcpy(closed_keys, keys, sizeof keys);
   memcpy(closed_keys[count - 1], keys[0], sizeof keys[0]);
 }
@@ -30,11 +35,34 @@ qtraj_options* options_of(int32_t method) {
   return options;
 }
 
+qtraj_status create(const qtraj_options* options, size_t n, const double* t, double (*q)[4], qtraj_trajectory** out,
+                    size_t* bad) {
+  qtraj_status status = qtraj_create_with(options, t, q[0], n, out, bad);
+  if (status == QTRAJ_E_OPTION)
+    status = qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, n, out, bad);
+  if (status == QTRAJ_E_OPTION)
+    status = qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega_body[0], alpha_body[0], n, out, bad);
+  return status;
+}
+
 qtraj_trajectory* build(int32_t method, size_t n, const double* t, double (*q)[4]) {
+  qtraj_options* options = options_of(method);
   qtraj_trajectory* built;
-  if (qtraj_create(method, t, q[0], n, &built, NULL) != QTRAJ_OK) exit(1);
+  if (create(options, n, t, q, &built, NULL) != QTRAJ_OK) exit(1);
+  qtraj_options_destroy(options);
   return built;
 }
+
+qtraj_status create_given(int32_t method, const double* t, double (*q)[4], double (*omega)[3], double (*alpha)[3],
+                          size_t n, qtraj_trajectory** out, size_t* bad) {
+  qtraj_options* options = options_of(method);
+  const qtraj_status status =
+      qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega[0], alpha ? alpha[0] : NULL, n, out, bad);
+  qtraj_options_destroy(options);
+  return status;
+}
+
+double length(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 qtraj_status try_with(const qtraj_options* options, size_t n, const double* t, double (*q)[4], size_t* bad) {
   qtraj_trajectory* built;
@@ -64,14 +92,16 @@ double difference(qtraj_trajectory* a, qtraj_trajectory* b) {
 
 qtraj_trajectory* with(const qtraj_options* options, double (*q)[4]) {
   qtraj_trajectory* built;
-  if (qtraj_create_with(options, times, q[0], count, &built, NULL) != QTRAJ_OK) exit(1);
+  if (create(options, count, times, q, &built, NULL) != QTRAJ_OK) exit(1);
   return built;
 }
 
 int main(void) {
   make_keys();
   check_methods();
+  check_orders();
   check_settings();
+  check_rates();
   check_closed_curves();
   check_errors();
   check_guarantees();

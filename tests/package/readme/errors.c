@@ -19,6 +19,40 @@ static qtraj_status with_key(size_t key, double time, double w, size_t* bad) {
   return status;
 }
 
+/* Given rates that turn too far in an interval; key 1 has them, the interval is 2 s. */
+static void check_limits(void) {
+  const double t[3] = {0, 2, 3};
+  double q[3][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+  qtraj_trajectory* curve;
+  size_t bad;
+  int method;
+  for (method = QTRAJ_HERMITE; method <= QTRAJ_QUATERNION_QUINTIC; ++method) {
+    double omega[3][3] = {{0}}, alpha[3][3] = {{0}};
+    const int power = method == QTRAJ_HERMITE ? 500 : 240;
+    omega[1][0] = ldexp(1, power - 1);
+    CHECK(!create_given(method, t, q, omega, method == QTRAJ_HERMITE ? NULL : alpha, 3, &curve, &bad));
+    qtraj_destroy(curve);
+    omega[1][0] = ldexp(1.01, power - 1);
+    CHECK(create_given(method, t, q, omega, method == QTRAJ_HERMITE ? NULL : alpha, 3, &curve, &bad) ==
+          QTRAJ_E_NOT_FINITE);
+    CHECK(curve == NULL && bad == 1);
+    if (method == QTRAJ_HERMITE) continue;
+    omega[1][0] = 0;
+    alpha[1][1] = ldexp(1.01, power - 2);
+    CHECK(create_given(method, t, q, omega, alpha, 3, &curve, &bad) == QTRAJ_E_NOT_FINITE && bad == 1);
+    alpha[1][1] = ldexp(1, power - 2);
+    CHECK(!create_given(method, t, q, omega, alpha, 3, &curve, &bad));
+    qtraj_destroy(curve);
+  }
+  { /* an energy past the largest double */
+    const double soon[3] = {0, 1e-12, 1};
+    double omega[3][3] = {{0, 0, 1e160}}, energy;
+    CHECK(!create_given(QTRAJ_HERMITE, soon, q, omega, NULL, 3, &curve, NULL));
+    CHECK(qtraj_energy(curve, &energy) == QTRAJ_E_NOT_FINITE);
+    qtraj_destroy(curve);
+  }
+}
+
 void check_errors(void) {
   const double mixed[4] = {0.5, 8, NAN, 6.5}, uneven[4] = {0, 1e-153, 1e10, 2e10};
   double q[4][4], spread[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -48,6 +82,8 @@ void check_errors(void) {
   CHECK(qtraj_create(QTRAJ_SLERP, NULL, keys[0], count, &none, NULL) == QTRAJ_E_NULL);
   CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], 1, &none, NULL) == QTRAJ_E_COUNT);
   CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], SIZE_MAX / 8, &none, NULL) == QTRAJ_E_SIZE);
+
+  check_limits();
 
   options = options_of(QTRAJ_LOG_SPLINE);
   CHECK(!qtraj_options_set_reference(options, QTRAJ_REFERENCE_MEAN, NULL));

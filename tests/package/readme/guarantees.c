@@ -53,8 +53,10 @@ void* __wrap_malloc(size_t bytes) {
 }
 
 static void check_memory_and_environment(void) {
-  static double memory[1024], options_memory[QTRAJ_OPTIONS_BYTES / sizeof(double)];
+  static double memory[2048], options_memory[QTRAJ_OPTIONS_BYTES / sizeof(double)];
+  static double still[count][3];
   double q[3][4], several[3] = {6, 8, 0.5};
+  double rates[6][3];
   qtraj_options* options;
   qtraj_trajectory* trajectory;
   size_t bytes, before = allocations;
@@ -67,13 +69,18 @@ static void check_memory_and_environment(void) {
   fesetround(FE_UPWARD);
   feclearexcept(FE_ALL_EXCEPT);
   for (method = 1; method <= methods; ++method) {
+    const double* omega = method >= QTRAJ_HERMITE ? still[0] : NULL;
+    const double* alpha = method > QTRAJ_HERMITE ? still[0] : NULL;
     CHECK(!qtraj_options_init(options_memory, sizeof options_memory, method, &options));
     CHECK(!qtraj_size(options, count, &bytes) && bytes <= sizeof memory);
-    CHECK(qtraj_init(memory, bytes - 1, options, times, keys[0], 0, NULL, NULL, count, &trajectory, NULL) ==
-          QTRAJ_E_BUFFER);
-    CHECK(qtraj_init((char*)memory + 4, sizeof memory - 4, options, times, keys[0], 0, NULL, NULL, count, &trajectory,
+    CHECK(qtraj_init(memory, bytes - 1, options, times, keys[0], QTRAJ_FRAME_BODY, omega, alpha, count, &trajectory,
                      NULL) == QTRAJ_E_BUFFER);
-    CHECK(!qtraj_init(memory, bytes, options, times, keys[0], 0, NULL, NULL, count, &trajectory, NULL));
+    CHECK(qtraj_init((char*)memory + 4, sizeof memory - 4, options, times, keys[0], QTRAJ_FRAME_BODY, omega, alpha,
+                     count, &trajectory, NULL) == QTRAJ_E_BUFFER);
+    CHECK(
+        !qtraj_init(memory, bytes, options, times, keys[0], QTRAJ_FRAME_BODY, omega, alpha, count, &trajectory, NULL));
+    qtraj_sample_rates(trajectory, QTRAJ_FRAME_WORLD, several, 3, q[0], rates[0], rates[3], NULL);
+    qtraj_peak_rates(trajectory, &q[0][0], NULL, NULL, NULL);
     qtraj_sample(trajectory, several, 3, q[0], NULL);
     qtraj_sample_uniform(trajectory, 0, 1e300, 3, q[0], NULL);
     qtraj_sample_at(trajectory, NAN, NULL, q[0]);

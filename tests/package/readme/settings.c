@@ -5,7 +5,7 @@
 #include "claims.h"
 
 static void check_end_conditions(void) {
-  static const char taken[methods + 1][8] = {"", "       ", "       ", "DC  EGP", "D NK  P"};
+  static const char taken[methods + 1][8] = {"", "", "", "DC  EGP", "D NK  P", "DCN EGP", "", "", ""};
   static const char letters[] = "DCNKEGP"; /* in the order of the constants */
   int method, end;
   for (method = 1; method <= methods; ++method) {
@@ -37,6 +37,11 @@ static void check_defaults(void) {
   /* a setter that fails has no effect */
   CHECK(qtraj_options_set_tangents(options, 99) == QTRAJ_E_OPTION);
   CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) > 1e-4);
+  qtraj_options_destroy(options);
+
+  options = options_of(QTRAJ_ROTATION_SPLINE);
+  CHECK(qtraj_options_set_ends(options, QTRAJ_END_ESTIMATED, QTRAJ_END_ESTIMATED) == QTRAJ_OK);
+  CHECK(difference(with(options, keys), build(QTRAJ_ROTATION_SPLINE, count, times, keys)) == 0);
   qtraj_options_destroy(options);
 
   options = options_of(QTRAJ_LOG_SPLINE);
@@ -105,7 +110,73 @@ static void check_given_rates(void) {
   qtraj_options_destroy(options);
 }
 
+/* ROTATION_SPLINE's end conditions, at the ends of the curve. */
+static void check_spline_ends(void) {
+  const double given[3] = {0.1, -0.3, 0.2}, ends[2] = {times[0], times[count - 1]};
+  double omega[3], alpha[3], chord[2][3];
+  qtraj_options* options = options_of(QTRAJ_ROTATION_SPLINE);
+  qtraj_trajectory *curve, *slerp = build(QTRAJ_SLERP, count, times, keys);
+  int end, k;
+  CHECK(!qtraj_sample_rates(slerp, QTRAJ_FRAME_BODY, ends, 2, NULL, chord[0], NULL, NULL));
+  qtraj_destroy(slerp);
+
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_GIVEN));
+  CHECK(!qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, NULL, given));
+  curve = with(options, keys);
+  CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, ends[0], NULL, NULL, omega, NULL));
+  for (k = 0; k < 3; ++k) CHECK(fabs(omega[k] - chord[0][k]) < 1e-14);
+  CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_WORLD, ends[1], NULL, NULL, omega, NULL));
+  for (k = 0; k < 3; ++k) CHECK(fabs(omega[k] - given[k]) < 1e-14);
+  qtraj_destroy(curve);
+
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_NATURAL, QTRAJ_END_NATURAL));
+  curve = with(options, keys);
+  for (end = 0; end < 2; ++end) {
+    CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, ends[end], NULL, NULL, NULL, alpha));
+    CHECK(length(alpha) < 1e-12);
+  }
+  qtraj_destroy(curve);
+  qtraj_options_destroy(options);
+}
+
+/* SQUAD, closed, with rates given: the first key's at the last too. */
+static void check_closed_given(void) {
+  double omega[count][3] = {{0.1, 0.2, 0.3}}, jump[count][3], first[3];
+  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  qtraj_trajectory* curve;
+  omega[count - 1][0] = -0.4;
+  CHECK(!qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN));
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_PERIODIC, QTRAJ_END_PERIODIC));
+  CHECK(
+      !qtraj_create_with_rates(options, times, closed_keys[0], QTRAJ_FRAME_BODY, omega[0], NULL, count, &curve, NULL));
+  CHECK(!qtraj_knot_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL) && length(jump[0]) < 1e-14);
+  CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, times[0], NULL, NULL, first, NULL));
+  CHECK(fabs(first[0] - 0.1) < 1e-14 && fabs(first[1] - 0.2) < 1e-14 && fabs(first[2] - 0.3) < 1e-14);
+  qtraj_destroy(curve);
+  qtraj_options_destroy(options);
+}
+
+/* Rates exactly for the methods and settings that use them. */
+static void check_needs(void) {
+  double zero[count][3] = {{0}};
+  qtraj_trajectory* curve;
+  int method, given;
+  for (method = 1; method <= methods; ++method) {
+    const int needed = method == QTRAJ_HERMITE ? 1 : method > QTRAJ_HERMITE ? 2 : 0;
+    for (given = 0; given <= 2; ++given) {
+      const qtraj_status status =
+          given == 0 ? qtraj_create(method, times, keys[0], count, &curve, NULL)
+                     : create_given(method, times, keys, zero, given == 2 ? zero : NULL, count, &curve, NULL);
+      CHECK(status == (given == needed ? QTRAJ_OK : QTRAJ_E_OPTION));
+      qtraj_destroy(curve);
+    }
+  }
+}
+
 void check_settings(void) {
+  check_spline_ends();
+  check_closed_given();
+  check_needs();
   check_end_conditions();
   check_defaults();
   check_given_rates();
