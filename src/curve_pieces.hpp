@@ -74,20 +74,22 @@ inline bool gauss(const Integrand& integrand, const Interval& piece, double& int
   return true;
 }
 
-// Halves a piece until its integral stays, and gives each final piece with its integral to `leaf`.
+// Halves a piece until its integral stays, and gives each final piece with its integral to `leaf`. `pieces_left` bounds
+// the work where the curve itself is rounding: a quaternion quintic next to the zero of its norm.
 template <class Leaf>
 bool bisect(const Integrand& integrand, const Interval& piece, double integral, double tolerance, int depth,
-            const Leaf& leaf) {
+            int& pieces_left, const Leaf& leaf) {
   constexpr int kDeepest = 30;
   const Interval left = {piece.from, piece.middle()}, right = {piece.middle(), piece.to};
   double left_integral, right_integral;
   if (!gauss(integrand, left, left_integral) || !gauss(integrand, right, right_integral)) return false;
   const double finer = left_integral + right_integral;
   const double change = std::abs(integral - finer);
-  if (change <= tolerance || change <= integrand.noise(piece.width(), integral) || depth == kDeepest)
-    return leaf(piece, finer);
-  return bisect(integrand, left, left_integral, tolerance, depth + 1, leaf) &&
-         bisect(integrand, right, right_integral, tolerance, depth + 1, leaf);
+  const bool fine = change <= tolerance || change <= integrand.noise(piece.width(), integral);
+  if (fine || depth == kDeepest || pieces_left == 0) return leaf(piece, finer);
+  --pieces_left;
+  return bisect(integrand, left, left_integral, tolerance, depth + 1, pieces_left, leaf) &&
+         bisect(integrand, right, right_integral, tolerance, depth + 1, pieces_left, leaf);
 }
 
 // Visits the pieces of every segment, found to a tolerance relative to the largest segment's integral.
@@ -117,7 +119,8 @@ Outcome visit_pieces(const Trajectory& trajectory, Quantity quantity, double tol
   for (size_t i = 0; i < segments; ++i) {
     integrand_of(i, integrand, integral);
     const auto leaf = [&](const Interval& piece, double finer) { return visit(integrand, piece, finer); };
-    if (!bisect(integrand, {0.0, integrand.curve.h()}, integral, tolerance * largest, 0, leaf))
+    int pieces_left = 1000;  // a cusp or a spike takes some 60
+    if (!bisect(integrand, {0.0, integrand.curve.h()}, integral, tolerance * largest, 0, pieces_left, leaf))
       return {Status::not_finite, i};
   }
   return {};

@@ -1,5 +1,7 @@
 #include "qtraj/least_norm.hpp"
 
+#include <cfloat>
+
 #include "golden_section.hpp"
 #include "qtraj/quaternion.hpp"
 
@@ -35,8 +37,15 @@ LeastNorm least_norm_of(const Trajectory& trajectory) {
         best_s = position(k);
       }
       const Interval around = {position(std::max(k - 1, 0)), position(std::min(k + 1, kIntervals))};
-      if (value >= -norm_at(segments[i], around.from) && value >= -norm_at(segments[i], around.to))
-        narrow_maximum(around, negated, best, best_s);
+      if (value >= -norm_at(segments[i], around.from) && value >= -norm_at(segments[i], around.to)) {
+        double refined = best, refined_s = best_s;
+        narrow_maximum(around, negated, refined, refined_s);
+        // what rounding finds beside a sample is no minimum
+        if (refined > best + 4.0 * DBL_EPSILON) {
+          best = refined;
+          best_s = refined_s;
+        }
+      }
     }
     const double h = knots[i + 1] - knots[i];
     if (best_s >= -1.0) least = {-best, knots[i] + 0.5 * (best_s + 1.0) * h};

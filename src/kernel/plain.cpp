@@ -13,7 +13,7 @@ bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed
     Rates<double> rates;
     Evaluator::sample(record, elapsed, row.q);
     Evaluator::sample_rates(record, elapsed, rates);
-    if (!finish_rates<Plain>(row.q, rates, Evaluator::scale(record), Frame::body, row)) return false;
+    if (!finish_rates<Plain>(row.q, rates, Evaluator::scale(record), {Frame::body, true, true}, row)) return false;
     write(row.q, motion.q, 0);
     write(row.omega, motion.omega, 0);
     write(row.alpha, motion.alpha, 0);

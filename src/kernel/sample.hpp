@@ -112,33 +112,45 @@ bool scaled(double value, double factor, double& product) {
   return magnitude(product) <= largest_of<Real>();
 }
 
-// Body rates in units of a segment to rates in time and in the frame asked for; false where they overflow.
+// Which rates a call asked for: an overflow of the others is none of its business.
+struct Wanted {
+  Frame frame;
+  bool omega, alpha;
+};
+
+// Body rates in units of a segment to rates in time and in the frame asked for; false where one that is wanted
+// overflows.
 template <class Arithmetic, class Real, class Work>
-bool finish_rates(const Real (&q)[4], Rates<Work>& rates, double scale, Frame frame, Row<Real>& row) {
-  if (frame == Frame::world) {
+bool finish_rates(const Real (&q)[4], Rates<Work>& rates, double scale, const Wanted& wanted, Row<Real>& row) {
+  if (wanted.frame == Frame::world) {
     const Work attitude[4] = {static_cast<Work>(q[0]), static_cast<Work>(q[1]), static_cast<Work>(q[2]),
                               static_cast<Work>(q[3])};
     rotate_to_world<Arithmetic>(attitude, rates.omega);
     rotate_to_world<Arithmetic>(attitude, rates.alpha);
   }
   for (size_t k = 0; k < 3; ++k) {
-    double omega, once, alpha;
-    if (!scaled<Real>(static_cast<double>(rates.omega[k]), scale, omega)) return false;
-    if (!scaled<double>(static_cast<double>(rates.alpha[k]), scale, once)) return false;
-    if (!scaled<Real>(once, scale, alpha)) return false;
-    row.omega[k] = static_cast<Real>(omega);
-    row.alpha[k] = static_cast<Real>(alpha);
+    double value;
+    if (wanted.omega) {
+      if (!scaled<Real>(static_cast<double>(rates.omega[k]), scale, value)) return false;
+      row.omega[k] = static_cast<Real>(value);
+    }
+    if (wanted.alpha) {
+      if (!scaled<double>(static_cast<double>(rates.alpha[k]), scale, value)) return false;
+      if (!scaled<Real>(value, scale, value)) return false;
+      row.alpha[k] = static_cast<Real>(value);
+    }
   }
   return true;
 }
 
 // Copies the constant rate of an extrapolated turn; false where it is past the range of Real.
 template <class Real>
-bool extrapolated_rates(const double (&omega)[3], Row<Real>& row) {
+bool extrapolated_rates(const double (&omega)[3], const Wanted& wanted, Row<Real>& row) {
   for (size_t k = 0; k < 3; ++k) {
+    row.alpha[k] = 0;
+    if (!wanted.omega) continue;
     if (magnitude(omega[k]) > largest_of<Real>()) return false;
     row.omega[k] = static_cast<Real>(omega[k]);
-    row.alpha[k] = 0;
   }
   return true;
 }
@@ -147,9 +159,9 @@ bool extrapolated_rates(const double (&omega)[3], Row<Real>& row) {
 template <class Evaluator, class Arithmetic, class Real, bool kWithRates>
 class Sampler {
  public:
-  Sampler(const Trajectory& trajectory, Frame frame)
+  Sampler(const Trajectory& trajectory, const Wanted& wanted)
       : trajectory_(trajectory),
-        frame_(frame),
+        wanted_(wanted),
         knots_(reinterpret_cast<const double*>(bytes_of(trajectory) + sizeof(Trajectory))),
         segments_(reinterpret_cast<const Segment*>(bytes_of(trajectory) + trajectory.segments_offset)) {}
 
@@ -171,7 +183,7 @@ class Sampler {
     if constexpr (kWithRates) {
       Rates<Work> rates;
       Evaluator::sample_rates(segment, elapsed, rates);
-      if (!finish_rates<Arithmetic>(row.q, rates, Evaluator::scale(segment), frame_, row)) return Status::not_finite;
+      if (!finish_rates<Arithmetic>(row.q, rates, Evaluator::scale(segment), wanted_, row)) return Status::not_finite;
     }
     return Status::ok;
   }
@@ -190,13 +202,13 @@ class Sampler {
     extrapolate(side, time, q);
     for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
     if constexpr (kWithRates)
-      if (!extrapolated_rates(frame_ == Frame::world ? side.omega_world : side.omega_body, row))
+      if (!extrapolated_rates(wanted_.frame == Frame::world ? side.omega_world : side.omega_body, wanted_, row))
         return Status::not_finite;
     return Status::ok;
   }
 
   const Trajectory& trajectory_;
-  const Frame frame_;
+  const Wanted wanted_;
   const double* knots_;
   const Segment* segments_;
 };
@@ -204,7 +216,8 @@ class Sampler {
 template <class Evaluator, class Arithmetic, bool kWithRates, class Real>
 Outcome sample_rows(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
                     const SampleOutputs<Real>& outputs) {
-  const Sampler<Evaluator, Arithmetic, Real, kWithRates> sampler(trajectory, outputs.frame);
+  const Sampler<Evaluator, Arithmetic, Real, kWithRates> sampler(
+      trajectory, {outputs.frame, outputs.omega != nullptr, outputs.alpha != nullptr});
   const TimeReader times(source, count);
   Outcome outcome = {Status::ok, kNoIndex};
   for (size_t i = 0; i < count; ++i) {
