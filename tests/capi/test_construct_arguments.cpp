@@ -120,6 +120,7 @@ std::vector<Row<Real>> rows() {
       {"frame 0", kWithRates, [](A& a) { a.frame = 0; }, QTRAJ_E_OPTION},
       {"frame unknown", kWithRates, [](A& a) { a.frame = INT32_MAX; }, QTRAJ_E_OPTION},
       {"alpha for a method without", kWithRates, [](A& a) { a.alpha = &number; }, QTRAJ_E_OPTION},
+      {"rates missing in plain create", bit(kCreate), [](A& a) { a.method = QTRAJ_HERMITE; }, QTRAJ_E_OPTION},
       {"rates missing", bit(kInit), [](A& a) { a.omega = nullptr; }, QTRAJ_E_OPTION},
       {"bytes 0", bit(kInit), [](A& a) { a.bytes = 0; }, QTRAJ_E_BUFFER},
       {"memory misaligned", bit(kInit), [](A& a) { a.memory = static_cast<char*>(a.memory) + 4; }, QTRAJ_E_BUFFER},

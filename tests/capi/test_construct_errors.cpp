@@ -14,7 +14,7 @@ constexpr size_t kCount = 6;
 
 // Every way to build a curve. `omega` is passed where the way takes rates.
 template <class Real>
-using Door = std::function<qtraj_status(const Keyframes<Real>&, const std::vector<Real>&, qtraj_trajectory**, size_t*)>;
+using Door = std::function<qtraj_status(const Keyframes<Real>&, const Rates<Real>&, qtraj_trajectory**, size_t*)>;
 template <class Real>
 struct NamedDoor {
   std::string name;
@@ -23,34 +23,42 @@ struct NamedDoor {
 };
 
 template <class Real>
+Rates<Real> zero_rates() {
+  return {std::vector<Real>(3 * kCount), std::vector<Real>(3 * kCount)};
+}
+
+template <class Real>
 std::vector<NamedDoor<Real>> doors() {
-  using Rates = std::vector<Real>;
+  using Rates = capi::Rates<Real>;
   std::vector<NamedDoor<Real>> all;
-  for (const int32_t method : kMethods)
+  for (const int32_t method : kMethods) {
+    if (always_needs_rates(method)) continue;
     all.push_back({"create method " + std::to_string(method), false,
                    [method](const Keyframes<Real>& keys, const Rates&, qtraj_trajectory** out, size_t* bad_index) {
                      return create(method, keys.times.data(), keys.q.data(), keys.count(), out, bad_index);
                    }});
+  }
   for (const Variant& variant : variants()) {
     if (variant.end == QTRAJ_END_PERIODIC) continue;
-    const bool rates = variant.needs_rates();
+    const bool takes_rates = variant.needs_rates();
     all.push_back(
-        {(rates ? "create_with_rates " : "create_with ") + variant.name, rates,
-         [variant](const Keyframes<Real>& keys, const Rates& omega, qtraj_trajectory** out, size_t* bad_index) {
+        {(takes_rates ? "create_with_rates " : "create_with ") + variant.name, takes_rates,
+         [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
            return variant.needs_rates()
                       ? create_with_rates(options.get(), keys.times.data(), keys.q.data(), QTRAJ_FRAME_WORLD,
-                                          omega.data(), static_cast<Real*>(nullptr), keys.count(), out, bad_index)
+                                          rates.omega.data(), variant.needs_alpha() ? rates.alpha.data() : nullptr,
+                                          keys.count(), out, bad_index)
                       : create_with(options.get(), keys.times.data(), keys.q.data(), keys.count(), out, bad_index);
          }});
     all.push_back(
-        {"init " + variant.name, rates,
-         [variant](const Keyframes<Real>& keys, const Rates& omega, qtraj_trajectory** out, size_t* bad_index) {
+        {"init " + variant.name, takes_rates,
+         [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
-           std::vector<double> memory(1024);
+           std::vector<double> memory(2048);
            return init(memory.data(), memory.size() * sizeof(double), options.get(), keys.times.data(), keys.q.data(),
-                       QTRAJ_FRAME_WORLD, variant.needs_rates() ? omega.data() : nullptr, static_cast<Real*>(nullptr),
-                       keys.count(), out, bad_index);
+                       QTRAJ_FRAME_WORLD, variant.needs_rates() ? rates.omega.data() : nullptr,
+                       variant.needs_alpha() ? rates.alpha.data() : nullptr, keys.count(), out, bad_index);
          }});
   }
   return all;
@@ -122,15 +130,15 @@ TEST_CASE("C API: every constructor names the first faulty key and its first fau
         INFO(door.name << ": " << fault.name << (sizeof(Real) == 4 ? " (float)" : ""));
         Keyframes<Real> keys = closed_tour<Real>(kCount);
         fault.make(keys);
-        const std::vector<Real> omega(3 * kCount);
+        const Rates<Real> rates = zero_rates<Real>();
         int stale = 0;
         qtraj_trajectory* out = reinterpret_cast<qtraj_trajectory*>(&stale);
         size_t bad_index = 12345;
-        CHECK(door.open(keys, omega, &out, &bad_index) == fault.status);
+        CHECK(door.open(keys, rates, &out, &bad_index) == fault.status);
         CHECK(out == nullptr);
         CHECK(bad_index == fault.index);
         out = reinterpret_cast<qtraj_trajectory*>(&stale);
-        CHECK(door.open(keys, omega, &out, nullptr) == fault.status);
+        CHECK(door.open(keys, rates, &out, nullptr) == fault.status);
         CHECK(out == nullptr);
       }
   });
@@ -144,7 +152,7 @@ TEST_CASE("C API: good keyframes give a trajectory and the index SIZE_MAX", "[ca
       INFO(door.name);
       qtraj_trajectory* out = nullptr;
       size_t bad_index = 12345;
-      CHECK(door.open(closed_tour<Real>(kCount), std::vector<Real>(3 * kCount), &out, &bad_index) == QTRAJ_OK);
+      CHECK(door.open(closed_tour<Real>(kCount), zero_rates<Real>(), &out, &bad_index) == QTRAJ_OK);
       CHECK(bad_index == SIZE_MAX);
       REQUIRE(out != nullptr);
       CHECK(qtraj_key_count(out) == kCount);
@@ -165,11 +173,11 @@ TEST_CASE("C API: rates at the keys are checked with their key, before its norm 
           CAPTURE(bad, key);
           Keyframes<Real> keys = closed_tour<Real>(kCount);
           set_q(keys, key, 0.0);
-          std::vector<Real> omega(3 * kCount);
-          omega[3 * key + 2] = Real(bad);
+          Rates<Real> rates = zero_rates<Real>();
+          rates.omega[3 * key + 2] = Real(bad);
           qtraj_trajectory* out = nullptr;
           size_t bad_index = 0;
-          CHECK(door.open(keys, omega, &out, &bad_index) == QTRAJ_E_NOT_FINITE);
+          CHECK(door.open(keys, rates, &out, &bad_index) == QTRAJ_E_NOT_FINITE);
           CHECK(bad_index == key);
         }
     }
@@ -199,9 +207,9 @@ TEST_CASE("C API: rates too fast for their interval are OPTION with the index of
                       {2, DBL_MAX, false}};
   for (const Row& row : rows) {
     CAPTURE(row.key, row.rate);
-    std::vector<double> omega(12);
-    omega[3 * row.key + 1] = -row.rate;
-    const Built built = build(make_options(by_key).get(), Keyframes<double>{times, q}, omega);
+    Rates<double> rates = {std::vector<double>(12), {}};
+    rates.omega[3 * row.key + 1] = -row.rate;
+    const Built built = build(make_options(by_key).get(), Keyframes<double>{times, q}, rates);
     CHECK(built.status == (row.fine ? QTRAJ_OK : QTRAJ_E_OPTION));
     CHECK(built.bad_index == (row.fine ? SIZE_MAX : row.key));
     CHECK((built.trajectory != nullptr) == row.fine);
@@ -219,7 +227,7 @@ TEST_CASE("C API: PERIODIC needs first and last key within 1e-6 rad as orientati
     for (const int32_t method : kMethods)
       for (const double sign : {1.0, -1.0})
         for (const double angle : {0.0, 0.9e-6, 1.1e-6, 0.1, 3.0}) {
-          const bool has_ends = method == QTRAJ_SQUAD || method == QTRAJ_LOG_SPLINE;
+          const bool has_ends = method == QTRAJ_SQUAD || method == QTRAJ_LOG_SPLINE || method == QTRAJ_ROTATION_SPLINE;
           if (!extrapolation && !has_ends) continue;
           CAPTURE(extrapolation, method, sign, angle);
           Keyframes<double> keys = closed_tour<double>(kCount);
@@ -236,7 +244,7 @@ TEST_CASE("C API: PERIODIC needs first and last key within 1e-6 rad as orientati
                     QTRAJ_OK);
           else
             REQUIRE(qtraj_options_set_ends(options, QTRAJ_END_PERIODIC, QTRAJ_END_PERIODIC) == QTRAJ_OK);
-          const Built built = build(options, keys);
+          const Built built = build(options, keys, rates_for<double>({"", method}, kCount));
           const bool closed = angle < 1e-6;
           CHECK(built.status == (closed ? QTRAJ_OK : QTRAJ_E_NOT_CLOSED));
           CHECK(built.bad_index == (closed ? SIZE_MAX : kCount - 1));

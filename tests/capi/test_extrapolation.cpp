@@ -125,7 +125,7 @@ TEST_CASE("C API: HOLD keeps the bits of the end key, signs of zeros included", 
     CAPTURE(method);
     const Options options = make_options({"", method});
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) == QTRAJ_OK);
-    const Trajectory curve = must_build(options.get(), keys);
+    const Trajectory curve = must_build(options.get(), keys, rates_for<double>({"", method}, keys.count()));
     std::vector<double> used(8);
     REQUIRE(qtraj_keys(curve.get(), nullptr, used.data()) == QTRAJ_OK);
     CHECK(same_bits(must_sample<double>(curve.get(), {-1.0, 2.0}), used));
@@ -223,7 +223,7 @@ TEST_CASE("C API: PERIODIC changes the sign at every wrap where the last key is 
     const Options options = make_options({"", method});
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC) ==
             QTRAJ_OK);
-    const Trajectory curve = must_build(options.get(), keys);
+    const Trajectory curve = must_build(options.get(), keys, rates_for<double>({"", method}, keys.count()));
     for (const int turns : {1, 2, 3, -1, -2, -3})
       for (const double inside : {0.25, 1.0, 3.9}) {
         CAPTURE(method, turns, inside);

@@ -25,19 +25,37 @@ std::vector<double> probing_times(const std::vector<double>& knots) {
   return times;
 }
 
+double longest_gap(const std::vector<double>& times) {
+  double gap = 0;
+  for (size_t i = 1; i < times.size(); ++i) gap = std::max(gap, times[i] - times[i - 1]);
+  return gap;
+}
+double shortest_gap(const std::vector<double>& times) {
+  double gap = DBL_MAX;
+  for (size_t i = 1; i < times.size(); ++i) gap = std::min(gap, times[i] - times[i - 1]);
+  return gap;
+}
+
 // Builds with every extrapolation and samples in double and float, watching flags. Rates are 0: others may be too fast.
 template <class Real>
 void check_curve(const Variant& variant, const Keyframes<Real>& keys) {
   const std::vector<double> times = probing_times(keys.times);
-  const std::vector<Real> omega = rates_for<Real>(variant, keys.count(), 0.0);
+  const Rates<Real> rates = rates_for<Real>(variant, keys.count(), 0.0);
   for (const int32_t outside : kOutside) {
     CAPTURE(variant.name, outside);
     const Options options = make_options(variant, 0.0);
     REQUIRE(qtraj_options_set_extrapolation(options.get(), outside, outside) == QTRAJ_OK);
     Built built{};
-    CHECK(std::string(disturbance([&] { built = build(options.get(), keys, omega); })) == "nothing");
+    CHECK(std::string(disturbance([&] { built = build(options.get(), keys, rates); })) == "nothing");
+    if (built.status == QTRAJ_E_NO_CONVERGENCE) {
+      // steps of radians in a tiny part of the next interval
+      CHECK(variant.method == QTRAJ_ROTATION_SPLINE);
+      CHECK(built.bad_index == SIZE_MAX);
+      CHECK(longest_gap(keys.times) > 1e9 * shortest_gap(keys.times));
+      continue;
+    }
     if (built.status != QTRAJ_OK) {
-      // the one method that valid keyframes can throw out of range, and that must not wind
+      // the one other method that valid keyframes can throw out of range, and that must not wind
       CHECK(variant.method == QTRAJ_LOG_SPLINE);
       const bool winds = variant.end == QTRAJ_END_PERIODIC && built.status == QTRAJ_E_NOT_CLOSED;
       CHECK((winds || built.status == QTRAJ_E_NOT_FINITE));
@@ -63,12 +81,13 @@ TEST_CASE("C API: keys of any finite norm give the curve of their directions", "
     for (const double scale : {1e-160, 1e-150, 1e150, 1e160, 1e-300, 1e300}) {
       CAPTURE(variant.name, scale);
       Keyframes<double> keys = closed_tour<double>(6);
-      const std::vector<double> omega = rates_for<double>(variant, 6), times = times_in(keys.times, 6);
+      const Rates<double> rates = rates_for<double>(variant, 6);
+      const std::vector<double> times = times_in(keys.times, 6);
       const Options options = make_options(variant);
-      const std::vector<double> expected = must_sample<double>(must_build(options.get(), keys, omega).get(), times);
+      const std::vector<double> expected = must_sample<double>(must_build(options.get(), keys, rates).get(), times);
       for (size_t key = 0; key < 6; key += 2)
         for (size_t k = 0; k < 4; ++k) keys.q[4 * key + k] *= scale;
-      const std::vector<double> q = must_sample<double>(must_build(options.get(), keys, omega).get(), times);
+      const std::vector<double> q = must_sample<double>(must_build(options.get(), keys, rates).get(), times);
       double worst = 0;
       for (size_t i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(q[i] - expected[i]));
       CHECK(worst <= 1e-14);
@@ -81,13 +100,13 @@ TEST_CASE("C API: float keys of any norm from 1e-30 to 1e30 give the curve of th
     for (const float scale : {1e-30f, 1e-37f, 1e30f, 1e37f}) {
       CAPTURE(variant.name, scale);
       Keyframes<float> keys = closed_tour<float>(6);
-      const std::vector<float> omega = rates_for<float>(variant, 6);
+      const Rates<float> rates = rates_for<float>(variant, 6);
       const std::vector<double> times = times_in(keys.times, 6);
       const Options options = make_options(variant);
-      const std::vector<float> expected = must_sample<float>(must_build(options.get(), keys, omega).get(), times);
+      const std::vector<float> expected = must_sample<float>(must_build(options.get(), keys, rates).get(), times);
       for (size_t key = 0; key < 6; key += 2)
         for (size_t k = 0; k < 4; ++k) keys.q[4 * key + k] *= scale;
-      const std::vector<float> q = must_sample<float>(must_build(options.get(), keys, omega).get(), times);
+      const std::vector<float> q = must_sample<float>(must_build(options.get(), keys, rates).get(), times);
       double worst = 0;
       for (size_t i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(static_cast<double>(q[i] - expected[i])));
       CHECK(worst <= 2e-6);

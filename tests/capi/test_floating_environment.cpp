@@ -27,8 +27,17 @@ std::string sampling_disturbs(const qtraj_trajectory* trajectory, const std::vec
   const size_t count = times.size();
   std::vector<Real> q(4 * count);
   size_t bad_index = 0, cursor = SIZE_MAX;
+  std::vector<Real> omega(3 * count), alpha(3 * count);
   std::string found = disturbance([&] { sample(trajectory, times.data(), count, q.data(), &bad_index); });
   if (found != kNothing) return "sample " + found;
+  for (const int32_t frame : {QTRAJ_FRAME_BODY, QTRAJ_FRAME_WORLD}) {
+    found = disturbance([&] {
+      sample_rates(trajectory, frame, times.data(), count, q.data(), omega.data(), alpha.data(), &bad_index);
+      for (const double& time : times)
+        sample_rates_at(trajectory, frame, time, &cursor, q.data(), omega.data(), alpha.data());
+    });
+    if (found != kNothing) return "sample_rates " + found;
+  }
   found = disturbance([&] {
     for (const double& time : times) sample_at(trajectory, time, &cursor, q.data());
   });
@@ -103,8 +112,8 @@ TEST_CASE("C API: constructors raise nothing on good, singular and faulty keyfra
           const Options options = make_options(variant);
           Keyframes<Real> keys = closed_tour<Real>(6);
           for (size_t k = 0; k < components; ++k) std::memcpy(&keys.q[8 + k], &value, sizeof value);
-          const std::vector<Real> omega = rates_for<Real>(variant, 6);
-          CHECK(disturbance([&] { build(options.get(), keys, omega); }) == kNothing);
+          const Rates<Real> rates = rates_for<Real>(variant, 6);
+          CHECK(disturbance([&] { build(options.get(), keys, rates); }) == kNothing);
         }
   });
 }
@@ -129,21 +138,26 @@ TEST_CASE("C API: constructors raise nothing on faulty times and rates", "[capi]
     CAPTURE(variant.name);
     const Options options = make_options(variant);
     Keyframes<double> keys = closed_tour<double>(6);
-    std::vector<double> omega = rates_for<double>(variant, 6);
+    Rates<double> rates = rates_for<double>(variant, 6);
     for (const std::vector<double>& times : rows) {
       CAPTURE(&times - rows.data());
-      CHECK(disturbance([&] { build(options.get(), Keyframes<double>{times, keys.q}, omega); }) == kNothing);
+      CHECK(disturbance([&] { build(options.get(), Keyframes<double>{times, keys.q}, rates); }) == kNothing);
     }
-    if (omega.empty()) continue;
+    if (rates.omega.empty()) continue;
     for (const double value : {kNaN, kInfinity, DBL_MAX, -1e300, 1e156, 5e-324}) {
-      omega[4] = value;
-      CHECK(disturbance([&] { build(options.get(), keys, omega); }) == kNothing);
+      Rates<double> faulty = rates;
+      faulty.omega[4] = value;
+      CHECK(disturbance([&] { build(options.get(), keys, faulty); }) == kNothing);
+      if (!variant.needs_alpha()) continue;
+      faulty.omega[4] = 0;
+      faulty.alpha[4] = value;
+      CHECK(disturbance([&] { build(options.get(), keys, rates); }) == kNothing);
     }
-    std::vector<float> omega_f32(omega.begin(), omega.end());
-    set_signalling_nan(omega_f32[4]);
-    std::memcpy(&omega[4], &signalling, sizeof signalling);
-    CHECK(disturbance([&] { build(options.get(), keys, omega); }) == kNothing);
-    CHECK(disturbance([&] { build(options.get(), closed_tour<float>(6), omega_f32); }) == kNothing);
+    Rates<float> rates_f32 = rates_for<float>(variant, 6);
+    set_signalling_nan(rates_f32.omega[4]);
+    std::memcpy(&rates.omega[4], &signalling, sizeof signalling);
+    CHECK(disturbance([&] { build(options.get(), keys, rates); }) == kNothing);
+    CHECK(disturbance([&] { build(options.get(), closed_tour<float>(6), rates_f32); }) == kNothing);
   }
 }
 
@@ -164,7 +178,7 @@ TEST_CASE("C API: setters, sizes and getters raise nothing", "[capi][floating]")
   }
   for (const int32_t method : kMethods) {
     const Options options = make_options({"", method});
-    const Trajectory curve = must_build(options.get(), closed_tour<double>(6));
+    const Trajectory curve = must_build(options.get(), closed_tour<double>(6), rates_for<double>({"", method}, 6));
     for (const qtraj_trajectory* trajectory :
          {static_cast<const qtraj_trajectory*>(nullptr), static_cast<const qtraj_trajectory*>(curve.get())})
       CHECK(disturbance([&] {
@@ -176,6 +190,8 @@ TEST_CASE("C API: setters, sizes and getters raise nothing", "[capi][floating]")
               qtraj_end_time(trajectory), qtraj_sign_flips(trajectory), qtraj_worst_norm_error(trajectory);
               qtraj_least_dot(trajectory), qtraj_iterations(trajectory), qtraj_residual(trajectory);
               qtraj_keys(trajectory, times, q), qtraj_least_norm(trajectory, &norm, &time);
+              qtraj_knot_jumps(trajectory, QTRAJ_FRAME_WORLD, q, nullptr), qtraj_energy(trajectory, &norm);
+              qtraj_peak_rates(trajectory, &norm, &time, nullptr, nullptr), qtraj_total_angle(trajectory, &norm);
               qtraj_version(), qtraj_version_number(), qtraj_target(), qtraj_status_text(1000);
             }) == kNothing);
   }
@@ -189,10 +205,11 @@ TEST_CASE("C API: in other rounding modes samples stay finite and the mode stays
       REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE) ==
               QTRAJ_OK);
       const Keyframes<double> keys = closed_tour<double>(6);
-      const std::vector<double> omega = rates_for<double>(variant, 6), times = times_in(keys.times, 5);
+      const Rates<double> rates = rates_for<double>(variant, 6);
+      const std::vector<double> times = times_in(keys.times, 5);
       std::vector<double> q(4 * times.size());
       REQUIRE(std::fesetround(mode) == 0);
-      const Built built = build(options.get(), keys, omega);
+      const Built built = build(options.get(), keys, rates);
       const qtraj_status status =
           built.trajectory ? sample(built.trajectory.get(), times.data(), times.size(), q.data(), nullptr) : QTRAJ_OK;
       const int mode_after = std::fegetround();

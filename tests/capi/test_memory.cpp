@@ -17,21 +17,20 @@ using Memory = std::unique_ptr<void, Free>;
 template <class Real>
 struct Case {
   Keyframes<Real> keys;
-  std::vector<Real> omega;
+  Rates<Real> rates;
   Options options;
   size_t bytes = 0;
 
   Case(const Variant& variant, size_t count)
-      : keys(closed_tour<Real>(count)), omega(rates_for<Real>(variant, count)), options(make_options(variant)) {
+      : keys(closed_tour<Real>(count)), rates(rates_for<Real>(variant, count)), options(make_options(variant)) {
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE) ==
             QTRAJ_OK);
     REQUIRE(qtraj_size(options.get(), count, &bytes) == QTRAJ_OK);
   }
 
-  const Real* rates() const { return omega.empty() ? nullptr : omega.data(); }
   qtraj_status init_at(void* memory, size_t size, qtraj_trajectory** out) const {
-    return init(memory, size, options.get(), keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, rates(),
-                static_cast<const Real*>(nullptr), keys.count(), out, nullptr);
+    return init(memory, size, options.get(), keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, rates.omega_or_null(),
+                rates.alpha_or_null(), keys.count(), out, nullptr);
   }
   std::vector<double> times() const {
     std::vector<double> times = times_in(keys.times, 5);
@@ -49,7 +48,7 @@ TEST_CASE("C API: init with exactly qtraj_size bytes gives the bits of the heap,
         CAPTURE(variant.name, count);
         auto all = std::make_unique<Case<Real>>(variant, count);
         const std::vector<double> times = all->times();
-        const Trajectory heap = must_build(all->options.get(), all->keys, all->omega);
+        const Trajectory heap = must_build(all->options.get(), all->keys, all->rates);
         // a block of its own: a sanitizer sees any access outside
         const Memory memory(std::malloc(all->bytes));
         qtraj_trajectory* here = nullptr;
@@ -128,36 +127,37 @@ TEST_CASE("C API: init refuses memory that any input shares, and takes inputs ri
           "[capi][memory][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
-    const Case<Real> all({"", QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN}, 4);
+    const Case<Real> all({"", QTRAJ_ROTATION_QUINTIC}, 4);
     std::vector<double> block(all.bytes / sizeof(double) + 256);
     auto* memory = reinterpret_cast<unsigned char*>(block.data()) + 1024;
-    enum Input { kTimes, kQ, kOmega, kOptions };
-    const size_t sizes[] = {4 * sizeof(double), 16 * sizeof(Real), 12 * sizeof(Real), QTRAJ_OPTIONS_BYTES};
+    enum Input { kTimes, kQ, kOmega, kAlpha, kOptions };
+    const size_t sizes[] = {4 * sizeof(double), 16 * sizeof(Real), 12 * sizeof(Real), 12 * sizeof(Real),
+                            QTRAJ_OPTIONS_BYTES};
 
     const auto init_with = [&](Input input, unsigned char* at) {
       const double* times = all.keys.times.data();
-      const Real *q = all.keys.q.data(), *omega = all.rates();
+      const Real *q = all.keys.q.data(), *omega = all.rates.omega.data(), *alpha = all.rates.alpha.data();
       const qtraj_options* options = all.options.get();
       if (input == kTimes) times = put(at, all.keys.times);
       if (input == kQ) q = put(at, all.keys.q);
-      if (input == kOmega) omega = put(at, all.omega);
+      if (input == kOmega) omega = put(at, all.rates.omega);
+      if (input == kAlpha) alpha = put(at, all.rates.alpha);
       if (input == kOptions) {
         qtraj_options* moved = nullptr;
-        REQUIRE(qtraj_options_init(at, QTRAJ_OPTIONS_BYTES, QTRAJ_SQUAD, &moved) == QTRAJ_OK);
-        REQUIRE(qtraj_options_set_tangents(moved, QTRAJ_TANGENT_GIVEN) == QTRAJ_OK);
+        REQUIRE(qtraj_options_init(at, QTRAJ_OPTIONS_BYTES, QTRAJ_ROTATION_QUINTIC, &moved) == QTRAJ_OK);
         options = moved;
       }
       const std::vector<double> before = block;
       size_t bad_index = 0;
       qtraj_trajectory* out = reinterpret_cast<qtraj_trajectory*>(block.data());
-      const qtraj_status status = init(memory, all.bytes, options, times, q, QTRAJ_FRAME_BODY, omega,
-                                       static_cast<const Real*>(nullptr), 4, &out, &bad_index);
+      const qtraj_status status =
+          init(memory, all.bytes, options, times, q, QTRAJ_FRAME_BODY, omega, alpha, 4, &out, &bad_index);
       CHECK(bad_index == SIZE_MAX);
       CHECK((out == nullptr) == (status != QTRAJ_OK));
       if (status != QTRAJ_OK) CHECK(same_bits(block, before));
       return status;
     };
-    for (const Input input : {kTimes, kQ, kOmega, kOptions}) {
+    for (const Input input : {kTimes, kQ, kOmega, kAlpha, kOptions}) {
       CAPTURE(input);
       unsigned char* const end = memory + all.bytes / 8 * 8;
       CHECK(init_with(input, memory) == QTRAJ_E_OVERLAP);

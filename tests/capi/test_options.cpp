@@ -20,9 +20,10 @@ Options options_of(int32_t method) {
 // What options do: samples of a curve built with them, or the status where there is none.
 std::vector<double> effect_of(const qtraj_options* options) {
   const Keyframes<double> keys = closed_tour<double>(7);
-  std::vector<double> omega;
+  const std::vector<double> rate(21, 0.1);
   Built built = build(options, keys);
-  if (built.status == QTRAJ_E_OPTION) built = build(options, keys, std::vector<double>(21, 0.1));
+  if (built.status == QTRAJ_E_OPTION) built = build(options, keys, Rates<double>{rate, {}});
+  if (built.status == QTRAJ_E_OPTION) built = build(options, keys, Rates<double>{rate, rate});
   if (built.status != QTRAJ_OK) return {static_cast<double>(built.status)};
   std::vector<double> times = times_in(keys.times, 3), q(4 * times.size() + 8);
   times.insert(times.end(), {-100.25, 100.25});
@@ -50,6 +51,14 @@ const std::vector<MethodSettings>& table() {
        {QTRAJ_END_DEFAULT, QTRAJ_END_NATURAL, QTRAJ_END_NOT_A_KNOT, QTRAJ_END_PERIODIC},
        {},
        {QTRAJ_REFERENCE_DEFAULT, QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_MEAN, QTRAJ_REFERENCE_GIVEN}},
+      {QTRAJ_ROTATION_SPLINE,
+       {QTRAJ_END_DEFAULT, QTRAJ_END_CHORD, QTRAJ_END_NATURAL, QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN,
+        QTRAJ_END_PERIODIC},
+       {},
+       {}},
+      {QTRAJ_HERMITE, {}, {}, {}},
+      {QTRAJ_ROTATION_QUINTIC, {}, {}, {}},
+      {QTRAJ_QUATERNION_QUINTIC, {}, {}, {}},
   };
   return rows;
 }
@@ -109,24 +118,26 @@ TEST_CASE("C API: every method extrapolates by every rule, periodic on both side
 
 TEST_CASE("C API: end rates go to the ends that are GIVEN, and only there", "[capi][options]") {
   const double omega[3] = {0.1, 0.2, 0.3};
-  for (const int32_t start : {QTRAJ_END_DEFAULT, QTRAJ_END_CHORD, QTRAJ_END_GIVEN})
-    for (const int32_t end : {QTRAJ_END_DEFAULT, QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN})
-      for (const bool at_start : {false, true})
-        for (const bool at_end : {false, true}) {
-          CAPTURE(start, end, at_start, at_end);
-          const bool missing = (start == QTRAJ_END_GIVEN && !at_start) || (end == QTRAJ_END_GIVEN && !at_end);
-          const bool superfluous = (start != QTRAJ_END_GIVEN && at_start) || (end != QTRAJ_END_GIVEN && at_end);
-          const qtraj_status expected = missing ? QTRAJ_E_NULL : superfluous ? QTRAJ_E_OPTION : QTRAJ_OK;
-          const Options options = options_of(QTRAJ_SQUAD);
-          REQUIRE(qtraj_options_set_ends(options.get(), start, end) == QTRAJ_OK);
-          CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_WORLD, at_start ? omega : nullptr,
-                                            at_end ? omega : nullptr) == expected);
-        }
+  for (const int32_t method : {QTRAJ_SQUAD, QTRAJ_ROTATION_SPLINE})
+    for (const int32_t start : {QTRAJ_END_DEFAULT, QTRAJ_END_CHORD, QTRAJ_END_GIVEN})
+      for (const int32_t end : {QTRAJ_END_DEFAULT, QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN})
+        for (const bool at_start : {false, true})
+          for (const bool at_end : {false, true}) {
+            CAPTURE(method, start, end, at_start, at_end);
+            const bool missing = (start == QTRAJ_END_GIVEN && !at_start) || (end == QTRAJ_END_GIVEN && !at_end);
+            const bool superfluous = (start != QTRAJ_END_GIVEN && at_start) || (end != QTRAJ_END_GIVEN && at_end);
+            const qtraj_status expected = missing ? QTRAJ_E_NULL : superfluous ? QTRAJ_E_OPTION : QTRAJ_OK;
+            const Options options = options_of(method);
+            REQUIRE(qtraj_options_set_ends(options.get(), start, end) == QTRAJ_OK);
+            CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_WORLD, at_start ? omega : nullptr,
+                                              at_end ? omega : nullptr) == expected);
+          }
 }
 
 TEST_CASE("C API: methods without given ends refuse end rates", "[capi][options]") {
   const double omega[3] = {0.1, 0.2, 0.3};
-  for (const int32_t method : {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_LOG_SPLINE}) {
+  for (const int32_t method :
+       {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_LOG_SPLINE, QTRAJ_HERMITE, QTRAJ_ROTATION_QUINTIC, QTRAJ_QUATERNION_QUINTIC}) {
     const Options options = options_of(method);
     CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, omega, omega) == QTRAJ_E_OPTION);
     CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, nullptr, nullptr) == QTRAJ_E_OPTION);
@@ -222,6 +233,7 @@ TEST_CASE("C API: DEFAULT stands for the documented constant", "[capi][options]"
   };
   same(QTRAJ_SQUAD, ends(QTRAJ_END_DEFAULT), ends(QTRAJ_END_CHORD));
   same(QTRAJ_LOG_SPLINE, ends(QTRAJ_END_DEFAULT), ends(QTRAJ_END_NATURAL));
+  same(QTRAJ_ROTATION_SPLINE, ends(QTRAJ_END_DEFAULT), ends(QTRAJ_END_ESTIMATED));
   const auto tangents = [](int32_t value) {
     return [value](qtraj_options* options) { return qtraj_options_set_tangents(options, value); };
   };

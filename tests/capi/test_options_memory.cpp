@@ -40,12 +40,13 @@ TEST_CASE("C API: QTRAJ_OPTIONS_BYTES of memory hold options of every method", "
     REQUIRE(qtraj_options_init(memory.get(), QTRAJ_OPTIONS_BYTES, method, &options) == QTRAJ_OK);
     CHECK(static_cast<void*>(options) == memory.get());
     CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) == QTRAJ_OK);
-    const Trajectory here = must_build(options, keys);
+    const Rates<double> rates = rates_for<double>({"", method}, keys.count());
+    const Trajectory here = must_build(options, keys, rates);
 
     qtraj_options* on_heap = nullptr;
     REQUIRE(qtraj_options_create(method, &on_heap) == QTRAJ_OK);
     REQUIRE(qtraj_options_set_extrapolation(on_heap, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) == QTRAJ_OK);
-    const Trajectory there = must_build(on_heap, keys);
+    const Trajectory there = must_build(on_heap, keys, rates);
     qtraj_options_destroy(on_heap);
     const std::vector<double> times = times_in(keys.times, 4);
     CHECK(same_bits(must_sample<double>(here.get(), times), must_sample<double>(there.get(), times)));

@@ -153,15 +153,17 @@ TEST_CASE("C API: construction is repeatable to the bit and exact for float keys
   for (const Variant& variant : variants()) {
     CAPTURE(variant.name);
     const Keyframes<float> keys = closed_tour<float>(40);
-    const std::vector<float> omega = rates_for<float>(variant, 40);
+    const Rates<float> rates = rates_for<float>(variant, 40);
     const Options options = make_options(variant);
-    const Trajectory first = must_build(options.get(), keys, omega), second = must_build(options.get(), keys, omega);
+    const Trajectory first = must_build(options.get(), keys, rates), second = must_build(options.get(), keys, rates);
     const std::vector<double> times = times_in(keys.times, 9);
     const std::vector<double> expected = must_sample<double>(first.get(), times);
     CHECK(same_bits(must_sample<double>(second.get(), times), expected));
     // construction is in double: keys that float holds exactly are the same keys
     const Keyframes<double> widened = {keys.times, std::vector<double>(keys.q.begin(), keys.q.end())};
-    const Trajectory wide = must_build(options.get(), widened, std::vector<double>(omega.begin(), omega.end()));
+    const Rates<double> widened_rates = {{rates.omega.begin(), rates.omega.end()},
+                                         {rates.alpha.begin(), rates.alpha.end()}};
+    const Trajectory wide = must_build(options.get(), widened, widened_rates);
     CHECK(same_bits(must_sample<double>(wide.get(), times), expected));
     CHECK(same_bits(must_sample<float>(wide.get(), times), must_sample<float>(first.get(), times)));
   }

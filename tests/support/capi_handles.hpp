@@ -17,7 +17,16 @@ struct Destroy {
 using Trajectory = std::unique_ptr<qtraj_trajectory, Destroy>;
 using Options = std::unique_ptr<qtraj_options, Destroy>;
 
-constexpr int32_t kMethods[] = {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_SQUAD, QTRAJ_LOG_SPLINE};
+constexpr int32_t kMethods[] = {QTRAJ_SLERP,
+                                QTRAJ_NLERP,
+                                QTRAJ_SQUAD,
+                                QTRAJ_LOG_SPLINE,
+                                QTRAJ_ROTATION_SPLINE,
+                                QTRAJ_HERMITE,
+                                QTRAJ_ROTATION_QUINTIC,
+                                QTRAJ_QUATERNION_QUINTIC};
+// Rates at the keys are arguments of some methods; of the others they may be with a setting.
+constexpr bool always_needs_rates(int32_t method) { return method >= QTRAJ_HERMITE; }
 
 // No constant of any enumeration, now or later: values are appended one by one.
 constexpr int32_t kUnknown[] = {-1, 1000, INT32_MAX, INT32_MIN};
@@ -86,6 +95,22 @@ inline qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, s
 }
 inline qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, float* q_out) {
   return qtraj_sample_at_f32(trajectory, time, cursor, q_out);
+}
+inline qtraj_status sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times, size_t count,
+                                 double* q_out, double* omega_out, double* alpha_out, size_t* bad_index) {
+  return qtraj_sample_rates(trajectory, frame, times, count, q_out, omega_out, alpha_out, bad_index);
+}
+inline qtraj_status sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times, size_t count,
+                                 float* q_out, float* omega_out, float* alpha_out, size_t* bad_index) {
+  return qtraj_sample_rates_f32(trajectory, frame, times, count, q_out, omega_out, alpha_out, bad_index);
+}
+inline qtraj_status sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
+                                    double* q_out, double* omega_out, double* alpha_out) {
+  return qtraj_sample_rates_at(trajectory, frame, time, cursor, q_out, omega_out, alpha_out);
+}
+inline qtraj_status sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
+                                    float* q_out, float* omega_out, float* alpha_out) {
+  return qtraj_sample_rates_at_f32(trajectory, frame, time, cursor, q_out, omega_out, alpha_out);
 }
 
 }  // namespace capi

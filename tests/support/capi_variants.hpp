@@ -21,7 +21,8 @@ struct Variant {
   int32_t tangents = QTRAJ_TANGENT_DEFAULT;
   int32_t reference = QTRAJ_REFERENCE_DEFAULT;
 
-  bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN; }
+  bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN || always_needs_rates(method); }
+  bool needs_alpha() const { return method == QTRAJ_ROTATION_QUINTIC || method == QTRAJ_QUATERNION_QUINTIC; }
 };
 
 inline std::vector<Variant> variants() {
@@ -42,6 +43,16 @@ inline std::vector<Variant> variants() {
     for (const int32_t reference : {QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_MEAN, QTRAJ_REFERENCE_GIVEN})
       all.push_back({std::string("LOG_SPLINE ") + end.first + " reference " + std::to_string(reference),
                      QTRAJ_LOG_SPLINE, end.second, QTRAJ_TANGENT_DEFAULT, reference});
+  const std::pair<const char*, int32_t> rotation_spline_ends[] = {{"ESTIMATED", QTRAJ_END_ESTIMATED},
+                                                                  {"CHORD", QTRAJ_END_CHORD},
+                                                                  {"NATURAL", QTRAJ_END_NATURAL},
+                                                                  {"GIVEN", QTRAJ_END_GIVEN},
+                                                                  {"PERIODIC", QTRAJ_END_PERIODIC}};
+  for (const auto& end : rotation_spline_ends)
+    all.push_back({std::string("ROTATION_SPLINE ") + end.first, QTRAJ_ROTATION_SPLINE, end.second});
+  all.push_back({"HERMITE", QTRAJ_HERMITE});
+  all.push_back({"ROTATION_QUINTIC", QTRAJ_ROTATION_QUINTIC});
+  all.push_back({"QUATERNION_QUINTIC", QTRAJ_QUATERNION_QUINTIC});
   return all;
 }
 
@@ -91,13 +102,24 @@ Keyframes<Real> closed_tour(size_t count) {
   return keys;
 }
 
-// Body rates at the keys for variants that need them, small enough for the tour.
+// Rates at the keys in the body frame; empty where there are none.
 template <class Real>
-std::vector<Real> rates_for(const Variant& variant, size_t count, double rate = 0.25) {
-  std::vector<Real> omega;
-  if (!variant.needs_rates()) return omega;
-  for (size_t i = 0; i < 3 * count; ++i) omega.push_back(Real(rate * (static_cast<double>(i % 5) - 2.0) / 4.0));
-  return omega;
+struct Rates {
+  std::vector<Real> omega, alpha;
+
+  const Real* omega_or_null() const { return omega.empty() ? nullptr : omega.data(); }
+  const Real* alpha_or_null() const { return alpha.empty() ? nullptr : alpha.data(); }
+};
+
+// Those that a variant needs, small enough for the tour.
+template <class Real>
+Rates<Real> rates_for(const Variant& variant, size_t count, double rate = 0.25) {
+  Rates<Real> rates;
+  for (size_t i = 0; i < 3 * count; ++i) {
+    if (variant.needs_rates()) rates.omega.push_back(Real(rate * (static_cast<double>(i % 5) - 2.0) / 4.0));
+    if (variant.needs_alpha()) rates.alpha.push_back(Real(rate * (static_cast<double>(i % 7) - 3.0) / 8.0));
+  }
+  return rates;
 }
 
 struct Built {
@@ -106,20 +128,22 @@ struct Built {
   Trajectory trajectory;
 };
 
-// create_with, or create_with_rates in the body frame where there are rates.
+// create_with, or create_with_rates where there are rates.
 template <class Real>
-Built build(const qtraj_options* options, const Keyframes<Real>& keys, const std::vector<Real>& omega = {}) {
+Built build(const qtraj_options* options, const Keyframes<Real>& keys, const Rates<Real>& rates = {},
+            int32_t frame = QTRAJ_FRAME_BODY) {
   qtraj_trajectory* out = nullptr;
   size_t bad_index = 0;
   const qtraj_status status =
-      omega.empty() ? create_with(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
-                    : create_with_rates(options, keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, omega.data(),
-                                        nullptr, keys.count(), &out, &bad_index);
+      rates.omega.empty() ? create_with(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
+                          : create_with_rates(options, keys.times.data(), keys.q.data(), frame, rates.omega.data(),
+                                              rates.alpha_or_null(), keys.count(), &out, &bad_index);
   return {status, bad_index, Trajectory(out)};
 }
 template <class Real>
-Trajectory must_build(const qtraj_options* options, const Keyframes<Real>& keys, const std::vector<Real>& omega = {}) {
-  Built built = build(options, keys, omega);
+Trajectory must_build(const qtraj_options* options, const Keyframes<Real>& keys, const Rates<Real>& rates = {},
+                      int32_t frame = QTRAJ_FRAME_BODY) {
+  Built built = build(options, keys, rates, frame);
   REQUIRE(built.status == QTRAJ_OK);
   return std::move(built.trajectory);
 }
@@ -129,6 +153,21 @@ std::vector<Real> must_sample(const qtraj_trajectory* trajectory, const std::vec
   std::vector<Real> q(4 * times.size());
   REQUIRE(sample(trajectory, times.data(), times.size(), q.data(), nullptr) == QTRAJ_OK);
   return q;
+}
+
+// q, omega and alpha of times that are all valid.
+template <class Real>
+struct Motion {
+  std::vector<Real> q, omega, alpha;
+
+  explicit Motion(size_t count) : q(4 * count), omega(3 * count), alpha(3 * count) {}
+};
+template <class Real>
+Motion<Real> must_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const std::vector<double>& times) {
+  Motion<Real> motion(times.size());
+  REQUIRE(sample_rates(trajectory, frame, times.data(), times.size(), motion.q.data(), motion.omega.data(),
+                       motion.alpha.data(), nullptr) == QTRAJ_OK);
+  return motion;
 }
 
 // Knots, places between them, and, with extrapolation, times on both sides.
@@ -146,6 +185,10 @@ inline std::vector<double> times_in(const std::vector<double>& knots, size_t per
 template <class Real>
 bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)) == 0;
+}
+template <class Real>
+bool same_bits(const Motion<Real>& a, const Motion<Real>& b) {
+  return same_bits(a.q, b.q) && same_bits(a.omega, b.omega) && same_bits(a.alpha, b.alpha);
 }
 
 // Largest | |q| - 1 | of the rows in eps of their type, infinity where a row is not finite.

@@ -1,0 +1,161 @@
+// Construction takes time and memory in proportion to the number of keys, for every method.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "support/curve.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define QTRAJ_TESTS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define QTRAJ_TESTS_SANITIZED
+#endif
+#endif
+
+namespace {
+
+using test::Curve;
+using test::Keys;
+using test::Quaternion;
+using test::Random;
+using test::Variant;
+
+#ifdef QTRAJ_TESTS_SANITIZED
+constexpr size_t kFew = 200, kMany = 4000;  // everything takes up to a hundred times as long
+#else
+constexpr size_t kFew = 10000, kMany = 1000000;
+#endif
+
+// The same few orientations again and again, on uneven knots; the last is the first, for closed curves. All are near to
+// each other: LOG_SPLINE closes only curves that do not wind.
+Keys tour(size_t count) {
+  Random random(21);
+  const Quaternion centre = random.orientation();
+  std::vector<Quaternion> orientations;
+  for (int i = 0; i < 64; ++i)
+    orientations.push_back(test::multiply(centre, test::about(random.direction(), random.uniform(0.0, 0.6))));
+  Keys keys;
+  keys.times.reserve(count);
+  keys.q.reserve(4 * count);
+  double time = 0;
+  for (size_t key = 0; key < count; ++key) {
+    keys.add(time, orientations[key + 1 == count ? 0 : key % orientations.size()]);
+    time += 0.5 + static_cast<double>(key % 7) / 8.0;
+  }
+  return keys;
+}
+
+// What a constructor takes besides its options, in arrays that are ready to be passed.
+struct Input {
+  Keys keys;
+  std::vector<double> rates;  // small ones; serve as omega and alpha
+
+  explicit Input(size_t count) : keys(tour(count)), rates(3 * count) {
+    for (size_t i = 0; i < rates.size(); ++i) rates[i] = 0.1 * (static_cast<double>(i % 5) - 2.0);
+  }
+};
+
+class Options {
+ public:
+  explicit Options(const Variant& variant) : handle_(test::make_options(variant.settings)) {
+    const double omega[] = {0.1, -0.2, 0.3};
+    if (variant.needs_end_rates())
+      REQUIRE(qtraj_options_set_end_rates(handle_, QTRAJ_FRAME_BODY, omega, omega) == QTRAJ_OK);
+  }
+  Options(const Options&) = delete;
+  Options& operator=(const Options&) = delete;
+  ~Options() { qtraj_options_destroy(handle_); }
+  const qtraj_options* get() const { return handle_; }
+
+ private:
+  qtraj_options* handle_;
+};
+
+size_t bytes_for(const Variant& variant, size_t count) {
+  size_t bytes = 0;
+  REQUIRE(qtraj_size(Options(variant).get(), count, &bytes) == QTRAJ_OK);
+  return bytes;
+}
+
+double bytes_per_key(const Variant& variant, size_t count) {
+  return static_cast<double>(bytes_for(variant, count)) / static_cast<double>(count);
+}
+
+// Processor time of one construction, s: not the time of day, so that other processes are not counted. The memory is
+// there already: taking a page from the system costs more than the keys of NLERP that it holds, and malloc asks it for
+// large blocks only.
+double construction_time(const Variant& variant, const Options& options, const Input& input,
+                         std::vector<double>& memory) {
+  const double *omega = variant.needs_omega() ? input.rates.data() : nullptr,
+               *alpha = variant.needs_alpha() ? input.rates.data() : nullptr;
+  qtraj_trajectory* handle = nullptr;
+  const std::clock_t start = std::clock();
+  const qtraj_status status =
+      qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), input.keys.times.data(),
+                 input.keys.q.data(), QTRAJ_FRAME_BODY, omega, alpha, input.keys.count(), &handle, nullptr);
+  const std::clock_t end = std::clock();
+  qtraj_destroy(handle);
+  REQUIRE(status == QTRAJ_OK);
+  return static_cast<double>(end - start) / CLOCKS_PER_SEC;
+}
+
+struct Times {
+  double few, many;  // a key, s
+
+  double ratio() const { return many / few; }
+};
+
+// Least times a key: what disturbs a run only adds to it. Repeated while the ratio is above `enough`, so that one
+// disturbed run does not decide.
+Times times_per_key(const Variant& variant, const Input& few, const Input& many, double enough) {
+  const Options options(variant);
+  std::vector<double> memory(bytes_for(variant, kMany) / sizeof(double) + 1);
+  Times least = {1e300, 1e300};
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    for (int i = 0; i < 10; ++i)
+      least.few = std::min(least.few, construction_time(variant, options, few, memory) / kFew);
+    least.many = std::min(least.many, construction_time(variant, options, many, memory) / kMany);
+    if (least.ratio() <= enough) break;
+  }
+  return least;
+}
+
+// One variant of each way to construct: other end conditions and tangent rules only change what is put into rows.
+std::vector<Variant> ways_to_construct() {
+  std::vector<Variant> ways;
+  for (const Variant& variant : test::all_variants()) {
+    const int32_t end = variant.settings.end;
+    if (variant.settings.tangents == QTRAJ_TANGENT_MEAN_VELOCITY) continue;
+    if (variant.settings.reference == QTRAJ_REFERENCE_GIVEN) continue;
+    if (end == QTRAJ_END_CHORD || end == QTRAJ_END_GIVEN || end == QTRAJ_END_NATURAL) continue;
+    ways.push_back(variant);
+  }
+  return ways;
+}
+
+}  // namespace
+
+TEST_CASE("the time a constructor takes for a key does not grow with the number of keys", "[scaling]") {
+  constexpr double kAllowed = 3.0;
+  const Input few(kFew), many(kMany);
+  std::printf("\nconstruction: ns a key at %zu keys, at %zu, ratio; bytes a key\n", kFew, kMany);
+  for (const Variant& variant : ways_to_construct()) {
+    const Times times = times_per_key(variant, few, many, kAllowed);
+    std::printf("%-32s %6.0f %6.0f %5.2f %6.1f\n", variant.name.c_str(), 1e9 * times.few, 1e9 * times.many,
+                times.ratio(), bytes_per_key(variant, kMany));
+    CAPTURE(variant.name, times.few, times.many);
+    CHECK(times.ratio() <= kAllowed);
+  }
+}
+
+TEST_CASE("the memory a constructor takes for a key does not depend on the number of keys", "[scaling]") {
+  for (const Variant& variant : ways_to_construct()) {
+    CAPTURE(variant.name);
+    const double at_thousand = bytes_per_key(variant, 1000);
+    for (const size_t count : {size_t(10000), size_t(65537), size_t(1000000), size_t(123456789)}) {
+      CAPTURE(count, at_thousand, bytes_per_key(variant, count));
+      CHECK(std::abs(bytes_per_key(variant, count) / at_thousand - 1.0) <= 0.05);
+    }
+  }
+}
