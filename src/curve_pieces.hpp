@@ -1,4 +1,4 @@
-// The magnitude of a curve's rates along its segments, and segments cut into pieces over which it is smooth enough.
+// The size of a curve's rates along its segments, and segments cut into pieces over which it is smooth.
 #pragma once
 
 #include <cfloat>
@@ -11,15 +11,9 @@
 
 namespace qtraj {
 
-// Length of a vector of any magnitude.
-inline double magnitude_of(const double (&v)[3]) {
-  const Vector3 vector = load(v);
-  const double largest = largest_component(vector);
-  return largest > 0 ? largest * length(Vector3(vector / largest)) : 0.0;
-}
-
-// The speed or the size of the acceleration along one segment.
 enum class Quantity { omega, alpha };
+
+// |omega| or |alpha| along one segment, as a function of u = 0 ... 1.
 struct SegmentCurve {
   const Trajectory& trajectory;
   size_t segment;
@@ -29,29 +23,41 @@ struct SegmentCurve {
     const double* knots = knots_of(trajectory);
     return knots[segment + 1] - knots[segment];
   }
-  bool magnitude(double elapsed, double& value) const {
+  double time(double u) const {
+    const double* knots = knots_of(trajectory);
+    return u < 1.0 ? knots[segment] + u * h() : knots[segment + 1];
+  }
+
+  // False where it overflows.
+  bool size(double u, double& value) const {
     SegmentMotion motion;
-    if (!segment_motion(trajectory, segment, elapsed, motion)) return false;
-    value = magnitude_of(quantity == Quantity::omega ? motion.omega : motion.alpha);
+    if (!segment_motion(trajectory, segment, u * h(), motion)) return false;
+    const Vector3 rate = load(quantity == Quantity::omega ? motion.omega : motion.alpha);
+    const double largest = largest_component(rate);
+    if (largest > 0.5 * DBL_MAX) return false;
+    value = largest > 0 ? largest * length(Vector3(rate / largest)) : 0.0;
     return true;
   }
 };
 
-// |omega| or |alpha|^2 over one segment.
+// What is integrated over u: the size times a factor, or the square of that.
 struct Integrand {
   SegmentCurve curve;
-  double rounding;  // of the magnitude
+  double factor;
+  bool squared;
+  double rounding = 0;  // of size times factor
 
-  bool operator()(double elapsed, double& value) const {
-    if (!curve.magnitude(elapsed, value)) return false;
-    if (curve.quantity == Quantity::omega) return true;
-    if (value > 1e150) return false;
-    value *= value;
+  bool operator()(double u, double& value) const {
+    if (!curve.size(u, value)) return false;
+    constexpr double kLimit = 1e150;
+    if (squared && value > kLimit / std::max(factor, DBL_MIN)) return false;
+    value *= factor;
+    if (squared) value *= value;
     return true;
   }
   // What rounding can change of the integral over a piece.
   double noise(double width, double integral) const {
-    if (curve.quantity == Quantity::omega) return width * rounding;
+    if (!squared) return width * rounding;
     return width * rounding * (2.0 * std::sqrt(std::abs(integral) / width) + rounding);
   }
 };
@@ -68,59 +74,76 @@ inline bool gauss(const Integrand& integrand, const Interval& piece, double& int
     double left, right;
     if (!integrand(piece.middle() - kNodes[k] * half_width, left)) return false;
     if (!integrand(piece.middle() + kNodes[k] * half_width, right)) return false;
-    sum += kWeights[k] * (left + right);
+    sum += 0.5 * kWeights[k] * left + 0.5 * kWeights[k] * right;  // the mean: the sum itself could overflow
   }
-  integral = half_width * sum;
+  integral = piece.width() * sum;
   return true;
 }
 
-// Halves a piece until its integral stays, and gives each final piece with its integral to `leaf`. `pieces_left` bounds
-// the work where the curve itself is rounding: a quaternion quintic next to the zero of its norm.
+// How finely to cut: pieces are halved until their integral changes by less than `tolerance` of the largest part of the
+// curve so far. `pieces_left` bounds the work in a segment where the curve turns thousands of times, or is rounding
+// itself: a quaternion quintic next to the zero of its norm.
+struct Cutting {
+  double tolerance;
+  double largest_part;
+  int pieces_left;
+};
+
+// Gives each final piece with its integral to `leaf`.
 template <class Leaf>
-bool bisect(const Integrand& integrand, const Interval& piece, double integral, double tolerance, int depth,
-            int& pieces_left, const Leaf& leaf) {
+bool bisect(const Integrand& integrand, const Interval& piece, double integral, int depth, Cutting& cutting,
+            const Leaf& leaf) {
   constexpr int kDeepest = 30;
   const Interval left = {piece.from, piece.middle()}, right = {piece.middle(), piece.to};
   double left_integral, right_integral;
   if (!gauss(integrand, left, left_integral) || !gauss(integrand, right, right_integral)) return false;
   const double finer = left_integral + right_integral;
+  cutting.largest_part = std::max(cutting.largest_part, finer);
   const double change = std::abs(integral - finer);
-  const bool fine = change <= tolerance || change <= integrand.noise(piece.width(), integral);
-  if (fine || depth == kDeepest || pieces_left == 0) return leaf(piece, finer);
-  --pieces_left;
-  return bisect(integrand, left, left_integral, tolerance, depth + 1, pieces_left, leaf) &&
-         bisect(integrand, right, right_integral, tolerance, depth + 1, pieces_left, leaf);
+  const bool fine =
+      change <= cutting.tolerance * cutting.largest_part || change <= integrand.noise(piece.width(), integral);
+  if (fine || depth == kDeepest || cutting.pieces_left == 0) return leaf(piece, finer);
+  --cutting.pieces_left;
+  return bisect(integrand, left, left_integral, depth + 1, cutting, leaf) &&
+         bisect(integrand, right, right_integral, depth + 1, cutting, leaf);
 }
 
-// Visits the pieces of every segment, found to a tolerance relative to the largest segment's integral.
-template <class Visit>
-Outcome visit_pieces(const Trajectory& trajectory, Quantity quantity, double tolerance, const Visit& visit) {
-  const size_t segments = trajectory.key_count - 1;
-  const auto integrand_of = [&](size_t segment, Integrand& integrand, double& integral) {
-    integrand.curve.segment = segment;
-    const double h = integrand.curve.h();
-    double speed = 0, value;
-    const SegmentCurve speeds = {trajectory, segment, Quantity::omega};
-    for (int k = 0; k <= 4; ++k) {
-      if (!speeds.magnitude(0.25 * k * h, value)) return false;
-      speed = std::max(speed, value);
-    }
-    constexpr double kRounding = 16.0 * DBL_EPSILON;
-    integrand.rounding = kRounding * (quantity == Quantity::omega ? speed : speed / h);
-    return gauss(integrand, {0.0, h}, integral);
-  };
+// The rounding of an integrand: 16 eps of the speed, for accelerations over the length of the segment.
+inline bool set_rounding(Integrand& integrand) {
+  SegmentCurve speeds = integrand.curve;
+  speeds.quantity = Quantity::omega;
+  double speed = 0, value;
+  for (int k = 0; k <= 4; ++k) {
+    if (!speeds.size(0.25 * k, value)) return false;
+    speed = std::max(speed, value);
+  }
+  constexpr double kRounding = 16.0 * DBL_EPSILON, kLimit = 1e150;
+  const double rate =
+      integrand.curve.quantity == Quantity::omega ? integrand.factor : integrand.factor / integrand.curve.h();
+  const double size = kRounding * speed;
+  integrand.rounding = size > kLimit / std::max(rate, 1e-150) ? kLimit : size * rate;
+  return true;
+}
 
-  double largest = 0, integral;
-  Integrand integrand = {{trajectory, 0, quantity}, 0};
+// Visits the pieces of every segment. `integrand_of(segment)` makes the integrand; `visit(integrand, piece, integral)`
+// gets its pieces in u. not_finite with the segment's index where the curve overflows.
+template <class IntegrandOf, class Visit>
+Outcome visit_pieces(const Trajectory& trajectory, double tolerance, const IntegrandOf& integrand_of,
+                     const Visit& visit) {
+  const size_t segments = trajectory.key_count - 1;
+  constexpr Interval kWhole = {0.0, 1.0};
+  Cutting cutting = {tolerance, 0.0, 0};
+  double integral;
   for (size_t i = 0; i < segments; ++i) {
-    if (!integrand_of(i, integrand, integral)) return {Status::not_finite, i};
-    largest = std::max(largest, integral);
+    if (!gauss(integrand_of(i), kWhole, integral)) return {Status::not_finite, i};
+    cutting.largest_part = std::max(cutting.largest_part, integral);
   }
   for (size_t i = 0; i < segments; ++i) {
-    integrand_of(i, integrand, integral);
+    Integrand integrand = integrand_of(i);
     const auto leaf = [&](const Interval& piece, double finer) { return visit(integrand, piece, finer); };
-    int pieces_left = 1000;  // a cusp or a spike takes some 60
-    if (!bisect(integrand, {0.0, integrand.curve.h()}, integral, tolerance * largest, 0, pieces_left, leaf))
+    cutting.pieces_left = 1000;  // a cusp or a spike takes some 60
+    if (!set_rounding(integrand) || !gauss(integrand, kWhole, integral) ||
+        !bisect(integrand, kWhole, integral, 0, cutting, leaf))
       return {Status::not_finite, i};
   }
   return {};

@@ -12,7 +12,7 @@ void extrapolate(const Extrapolation& side, double time, double* q) {
     for (int k = 0; k < 4; ++k) q[k] = side.m[k];
     return;
   }
-  const bool past_far = side.far_time > side.knot ? time > side.far_time : time < side.far_time;
+  const bool past_far = time > side.knot ? time > side.far_time : time < side.far_time;
   const SinCos at = sin_cos(side.rate * ((past_far ? side.far_time : time) - side.knot));
   for (int k = 0; k < 4; ++k) q[k] = side.m[k] * at.cos + side.e[k] * at.sin;
 }

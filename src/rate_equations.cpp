@@ -124,17 +124,26 @@ double RateEquations::local_rate(size_t knot) const {
   return rate;
 }
 
-bool RateEquations::apply_step(double& size) {
+double RateEquations::fastest_rate() const {
   double fastest = 0;
-  for (size_t knot = 0; knot < unknowns(); ++knot) fastest = std::max(fastest, local_rate(knot));
+  for (size_t knot = 0; knot < keys_.count; ++knot) fastest = std::max(fastest, local_rate(knot));
+  return fastest;
+}
+
+// What a change of the rate at a knot is measured by. Where all around is at rest, repeated keys, a share of the
+// fastest knot's rate; where everything is, or moves by denormal steps, a rate of no account.
+double RateEquations::scale_at(size_t knot, double fastest) const {
+  return std::max({local_rate(knot), 1e-6 * fastest, 1e-290});
+}
+
+bool RateEquations::apply_step(double& size) {
+  const double fastest = fastest_rate();
   size = 0;
   for (size_t knot = 0; knot < unknowns(); ++knot) {
     const Vector3 change = load(workspace_.space.x[knot]), rate = w(knot) + change;
     const double longest = std::max(h(before(knot)), h(after(knot)));
     if (largest_component(rate) > kLargestRise / longest) return false;
-    // a share of the fastest knot's rate stands in where all is at rest: repeated keys
-    const double scale = std::max(local_rate(knot), 1e-6 * fastest);
-    if (scale > 0) size = std::max(size, largest_component(change) / scale);
+    size = std::max(size, largest_component(change) / scale_at(knot, fastest));
     store(rate, workspace_.w[knot]);
   }
   if (closed()) store(w(0), workspace_.w[unknowns()]);
@@ -157,12 +166,11 @@ void RateEquations::save() const { copy(workspace_.w, workspace_.saved); }
 void RateEquations::restore() const { copy(workspace_.saved, workspace_.w); }
 
 double RateEquations::change_from_saved() const {
-  double fastest = 0, change = 0;
-  for (size_t knot = 0; knot < keys_.count; ++knot) fastest = std::max(fastest, local_rate(knot));
+  const double fastest = fastest_rate();
+  double change = 0;
   for (size_t knot = 0; knot < keys_.count; ++knot) {
-    const double scale = std::max(local_rate(knot), 1e-6 * fastest);
     const double difference = largest_component(Vector3(w(knot) - load(workspace_.saved[knot])));
-    if (scale > 0) change = std::max(change, difference / scale);
+    change = std::max(change, difference / scale_at(knot, fastest));
   }
   return change;
 }

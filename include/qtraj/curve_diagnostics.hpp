@@ -10,8 +10,9 @@ namespace qtraj {
 Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
 
 // Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
-// bisection with 12-point Gauss rules, until halving a piece changes it by less than 1e-13 of the largest segment's
-// integral, or by no more than the rounding of the integrand: 1e-9 relative.
+// bisection with 12-point Gauss rules, until halving a piece changes it by less than 1e-13 of the largest part, or by
+// no more than the rounding of the integrand: 1e-9 relative. At most 1000 cuts a segment: enough for any cusp, but not
+// for segments of thousands of turns.
 Outcome energy(const Trajectory& trajectory, double& result);
 Outcome total_angle(const Trajectory& trajectory, double& result);
 
