@@ -1,4 +1,3 @@
-
 #include "qtraj/keyframes.hpp"
 #include "translate.hpp"
 

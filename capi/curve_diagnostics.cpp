@@ -43,13 +43,15 @@ qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame,
 qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
                               double* alpha_peak, double* alpha_time) {
   if (!trajectory) return QTRAJ_E_NULL;
-  PeakRates peaks;
-  const Outcome outcome = peak_rates(trajectory->core, peaks);
+  Peak omega = {}, alpha = {};
+  Outcome outcome;
+  if (omega_peak || omega_time) outcome = peak_omega(trajectory->core, omega);
+  if (outcome.status == Status::ok && (alpha_peak || alpha_time)) outcome = peak_alpha(trajectory->core, alpha);
   if (outcome.status != Status::ok) return to_c(outcome.status);
-  write(peaks.omega, omega_peak);
-  write(peaks.omega_time, omega_time);
-  write(peaks.alpha, alpha_peak);
-  write(peaks.alpha_time, alpha_time);
+  write(omega.value, omega_peak);
+  write(omega.time, omega_time);
+  write(alpha.value, alpha_peak);
+  write(alpha.time, alpha_time);
   return QTRAJ_OK;
 }
 

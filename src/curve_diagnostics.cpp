@@ -38,10 +38,6 @@ Outcome integrate(const Trajectory& trajectory, Quantity quantity, double& resul
   return {};
 }
 
-struct Peak {
-  double value, time;
-};
-
 // Raises `peak` to the maximum of the curve over a piece.
 bool search_piece(const SegmentCurve& curve, const Interval& piece, Peak& peak) {
   constexpr int kSamples = 12;
@@ -72,10 +68,33 @@ Outcome find_peak(const Trajectory& trajectory, Quantity quantity, Peak& peak) {
   });
 }
 
-// Whether rates can be turned and subtracted without overflow.
-bool is_moderate(const SegmentMotion& motion) {
+// A rate on both sides of a knot, right minus left in a frame; false where it could overflow on the way.
+bool jump(const SegmentMotion& left, const Vector3& left_rate, const SegmentMotion& right, const Vector3& right_rate,
+          Frame frame, double* out) {
   constexpr double kLimit = 1e307;
-  return largest_component(load(motion.omega)) <= kLimit && largest_component(load(motion.alpha)) <= kLimit;
+  if (largest_component(left_rate) > kLimit || largest_component(right_rate) > kLimit) return false;
+  const auto in_frame = [&](const SegmentMotion& motion, const Vector3& rate) -> Vector3 {
+    return frame == Frame::world ? to_world(load(motion.q), rate) : rate;
+  };
+  const Vector3 difference = in_frame(right, right_rate) - in_frame(left, left_rate);
+  for (int k = 0; k < 3; ++k) out[k] = difference[k];
+  return true;
+}
+
+// The jumps between two segments; outputs may be null.
+bool jumps_between(const Trajectory& trajectory, size_t before, size_t after, Frame frame, double* omega_jump,
+                   double* alpha_jump) {
+  const double* knots = knots_of(trajectory);
+  const bool omega = omega_jump != nullptr, alpha = alpha_jump != nullptr;
+  SegmentMotion left, right;
+  return segment_motion(trajectory, before, knots[before + 1] - knots[before], omega, alpha, left) &&
+         segment_motion(trajectory, after, 0.0, omega, alpha, right) &&
+         (!omega || jump(left, load(left.omega), right, load(right.omega), frame, omega_jump)) &&
+         (!alpha || jump(left, load(left.alpha), right, load(right.alpha), frame, alpha_jump));
+}
+
+void fill(double* row, double value) {
+  for (int k = 0; row && k < 3; ++k) row[k] = value;
 }
 
 }  // namespace
@@ -86,42 +105,25 @@ Outcome total_angle(const Trajectory& trajectory, double& result) {
   return integrate(trajectory, Quantity::omega, result);
 }
 
-Outcome peak_rates(const Trajectory& trajectory, PeakRates& peaks) {
-  Peak omega, alpha;
-  Outcome outcome = find_peak(trajectory, Quantity::omega, omega);
-  if (outcome.status == Status::ok) outcome = find_peak(trajectory, Quantity::alpha, alpha);
-  if (outcome.status == Status::ok) peaks = {omega.value, omega.time, alpha.value, alpha.time};
-  return outcome;
-}
+Outcome peak_omega(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::omega, peak); }
+
+Outcome peak_alpha(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::alpha, peak); }
 
 Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
-  const double* knots = knots_of(trajectory);
   const size_t last = trajectory.key_count - 1;
   Outcome outcome;
   for (size_t knot = 0; knot <= last; ++knot) {
+    double* omega_row = omega_jump ? omega_jump + 3 * knot : nullptr;
+    double* alpha_row = alpha_jump ? alpha_jump + 3 * knot : nullptr;
+    fill(omega_row, 0.0);
+    fill(alpha_row, 0.0);
     const bool inner = knot > 0 && knot < last;
-    double jumps[2][3] = {};
-    if (inner || trajectory.closed) {
-      const size_t before = knot == 0 ? last - 1 : knot - 1, after = knot == last ? 0 : knot;
-      SegmentMotion left, right;
-      const bool finite = segment_motion(trajectory, before, knots[before + 1] - knots[before], left) &&
-                          segment_motion(trajectory, after, 0.0, right) && is_moderate(left) && is_moderate(right);
-      const auto in_frame = [&](const SegmentMotion& motion, const double(&v)[3]) -> Vector3 {
-        return frame == Frame::world ? to_world(load(motion.q), load(v)) : load(v);
-      };
-      if (finite) {
-        store(Vector3(in_frame(right, right.omega) - in_frame(left, left.omega)), jumps[0]);
-        store(Vector3(in_frame(right, right.alpha) - in_frame(left, left.alpha)), jumps[1]);
-      } else {
-        for (auto& jump : jumps)
-          for (double& component : jump) component = std::nan("");
-        if (outcome.status == Status::ok) outcome = {Status::not_finite, knot};
-      }
-    }
-    for (int k = 0; k < 3; ++k) {
-      if (omega_jump) omega_jump[3 * knot + static_cast<size_t>(k)] = jumps[0][k];
-      if (alpha_jump) alpha_jump[3 * knot + static_cast<size_t>(k)] = jumps[1][k];
-    }
+    if (!inner && !trajectory.closed) continue;
+    const size_t before = knot == 0 ? last - 1 : knot - 1, after = knot == last ? 0 : knot;
+    if (jumps_between(trajectory, before, after, frame, omega_row, alpha_row)) continue;
+    fill(omega_row, std::nan(""));
+    fill(alpha_row, std::nan(""));
+    if (outcome.status == Status::ok) outcome = {Status::not_finite, knot};
   }
   return outcome;
 }

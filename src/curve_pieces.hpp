@@ -31,8 +31,9 @@ struct SegmentCurve {
   // False where it overflows.
   bool size(double u, double& value) const {
     SegmentMotion motion;
-    if (!segment_motion(trajectory, segment, u * h(), motion)) return false;
-    const Vector3 rate = load(quantity == Quantity::omega ? motion.omega : motion.alpha);
+    const bool is_omega = quantity == Quantity::omega;
+    if (!segment_motion(trajectory, segment, u * h(), is_omega, !is_omega, motion)) return false;
+    const Vector3 rate = load(is_omega ? motion.omega : motion.alpha);
     const double largest = largest_component(rate);
     if (largest > 0.5 * DBL_MAX) return false;
     value = largest > 0 ? largest * length(Vector3(rate / largest)) : 0.0;
@@ -63,7 +64,7 @@ struct Integrand {
 };
 
 // Gauss-Legendre rule of 12 points (Abramowitz and Stegun, table 25.4).
-inline bool gauss(const Integrand& integrand, const Interval& piece, double& integral) {
+inline Status gauss(const Integrand& integrand, const Interval& piece, double& integral) {
   constexpr double kNodes[] = {0.12523340851146891547, 0.36783149899818019375, 0.58731795428661744730,
                                0.76990267419430468704, 0.90411725637047485668, 0.98156063424671925069};
   constexpr double kWeights[] = {0.24914704581340278500, 0.23349253653835480876, 0.20316742672306592175,
@@ -72,40 +73,41 @@ inline bool gauss(const Integrand& integrand, const Interval& piece, double& int
   double sum = 0;
   for (int k = 0; k < 6; ++k) {
     double left, right;
-    if (!integrand(piece.middle() - kNodes[k] * half_width, left)) return false;
-    if (!integrand(piece.middle() + kNodes[k] * half_width, right)) return false;
+    if (!integrand(piece.middle() - kNodes[k] * half_width, left)) return Status::not_finite;
+    if (!integrand(piece.middle() + kNodes[k] * half_width, right)) return Status::not_finite;
     sum += 0.5 * kWeights[k] * left + 0.5 * kWeights[k] * right;  // the mean: the sum itself could overflow
   }
   integral = piece.width() * sum;
-  return true;
+  return Status::ok;
 }
 
 // How finely to cut: pieces are halved until their integral changes by less than `tolerance` of the largest part of the
-// curve so far. `pieces_left` bounds the work in a segment where the curve turns thousands of times, or is rounding
-// itself: a quaternion quintic next to the zero of its norm.
+// curve so far.
 struct Cutting {
   double tolerance;
   double largest_part;
-  int pieces_left;
+  int cuts_left;
 };
 
-// Gives each final piece with its integral to `leaf`.
+// Gives each final piece with its integral to `leaf`. no_convergence where the cuts run out: a segment of 1e5 turns, or
+// a quaternion quintic next to the zero of its norm, where the curve is rounding.
 template <class Leaf>
-bool bisect(const Integrand& integrand, const Interval& piece, double integral, int depth, Cutting& cutting,
-            const Leaf& leaf) {
+Status bisect(const Integrand& integrand, const Interval& piece, double integral, int depth, Cutting& cutting,
+              const Leaf& leaf) {
   constexpr int kDeepest = 30;
   const Interval left = {piece.from, piece.middle()}, right = {piece.middle(), piece.to};
   double left_integral, right_integral;
-  if (!gauss(integrand, left, left_integral) || !gauss(integrand, right, right_integral)) return false;
+  if (gauss(integrand, left, left_integral) != Status::ok || gauss(integrand, right, right_integral) != Status::ok)
+    return Status::not_finite;
   const double finer = left_integral + right_integral;
   cutting.largest_part = std::max(cutting.largest_part, finer);
   const double change = std::abs(integral - finer);
   const bool fine =
       change <= cutting.tolerance * cutting.largest_part || change <= integrand.noise(piece.width(), integral);
-  if (fine || depth == kDeepest || cutting.pieces_left == 0) return leaf(piece, finer);
-  --cutting.pieces_left;
-  return bisect(integrand, left, left_integral, depth + 1, cutting, leaf) &&
-         bisect(integrand, right, right_integral, depth + 1, cutting, leaf);
+  if (fine || depth == kDeepest) return leaf(piece, finer) ? Status::ok : Status::not_finite;
+  if (cutting.cuts_left-- == 0) return Status::no_convergence;
+  const Status status = bisect(integrand, left, left_integral, depth + 1, cutting, leaf);
+  return status != Status::ok ? status : bisect(integrand, right, right_integral, depth + 1, cutting, leaf);
 }
 
 // The rounding of an integrand: 16 eps of the speed, for accelerations over the length of the segment.
@@ -126,25 +128,26 @@ inline bool set_rounding(Integrand& integrand) {
 }
 
 // Visits the pieces of every segment. `integrand_of(segment)` makes the integrand; `visit(integrand, piece, integral)`
-// gets its pieces in u. not_finite with the segment's index where the curve overflows.
+// gets its pieces in u. not_finite with the segment's index where the curve overflows, no_convergence as in bisect.
 template <class IntegrandOf, class Visit>
 Outcome visit_pieces(const Trajectory& trajectory, double tolerance, const IntegrandOf& integrand_of,
                      const Visit& visit) {
   const size_t segments = trajectory.key_count - 1;
   constexpr Interval kWhole = {0.0, 1.0};
+  constexpr int kCutsPerSegment = 100000;  // a cusp or a spike takes some 60
   Cutting cutting = {tolerance, 0.0, 0};
   double integral;
   for (size_t i = 0; i < segments; ++i) {
-    if (!gauss(integrand_of(i), kWhole, integral)) return {Status::not_finite, i};
+    if (gauss(integrand_of(i), kWhole, integral) != Status::ok) return {Status::not_finite, i};
     cutting.largest_part = std::max(cutting.largest_part, integral);
   }
   for (size_t i = 0; i < segments; ++i) {
     Integrand integrand = integrand_of(i);
     const auto leaf = [&](const Interval& piece, double finer) { return visit(integrand, piece, finer); };
-    cutting.pieces_left = 1000;  // a cusp or a spike takes some 60
-    if (!set_rounding(integrand) || !gauss(integrand, kWhole, integral) ||
-        !bisect(integrand, kWhole, integral, 0, cutting, leaf))
-      return {Status::not_finite, i};
+    if (!set_rounding(integrand) || gauss(integrand, kWhole, integral) != Status::ok) return {Status::not_finite, i};
+    cutting.cuts_left = kCutsPerSegment;
+    const Status status = bisect(integrand, kWhole, integral, 0, cutting, leaf);
+    if (status != Status::ok) return {status, i};
   }
   return {};
 }

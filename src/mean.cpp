@@ -16,8 +16,10 @@ void rotate_plane(Eigensystem& system, int p, int q) {
   if (a(p, q) == 0) return;
   // tangent of the smaller angle; half_difference may dwarf a(p, q), so neither is divided by the other's square
   const double half_difference = 0.5 * (a(q, q) - a(p, p));
-  const double radius = std::sqrt(half_difference * half_difference + a(p, q) * a(p, q));
-  const double tangent = a(p, q) / (half_difference >= 0 ? half_difference + radius : half_difference - radius);
+  const double largest = std::max(std::abs(half_difference), std::abs(a(p, q)));  // squares of the rest may vanish
+  const double x = half_difference / largest, y = a(p, q) / largest;
+  const double radius = std::sqrt(x * x + y * y);
+  const double tangent = y / (x >= 0 ? x + radius : x - radius);
   const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
 
   a(p, p) -= tangent * a(p, q);

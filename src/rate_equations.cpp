@@ -136,13 +136,18 @@ double RateEquations::scale_at(size_t knot, double fastest) const {
   return std::max({local_rate(knot), 1e-6 * fastest, 1e-290});
 }
 
+double RateEquations::longest_beside(size_t knot) const {
+  if (!closed() && knot == 0) return h(0);
+  if (!closed() && knot == keys_.segments()) return h(knot - 1);
+  return std::max(h(before(knot)), h(after(knot)));
+}
+
 bool RateEquations::apply_step(double& size) {
   const double fastest = fastest_rate();
   size = 0;
   for (size_t knot = 0; knot < unknowns(); ++knot) {
     const Vector3 change = load(workspace_.space.x[knot]), rate = w(knot) + change;
-    const double longest = std::max(h(before(knot)), h(after(knot)));
-    if (largest_component(rate) > kLargestRise / longest) return false;
+    if (largest_component(rate) > kLargestRise / longest_beside(knot)) return false;
     size = std::max(size, largest_component(change) / scale_at(knot, fastest));
     store(rate, workspace_.w[knot]);
   }
@@ -192,7 +197,8 @@ double RateEquations::residual() const {
     const Vector3 alpha = 6.0 / h(knot) * r(knot) - 4.0 * w(knot) - 2.0 * product(inverse(knot), w(knot + 1));
     largest_alpha = std::max({largest_alpha, largest_component(alpha) * unit, largest_component(w(knot)) * unit});
   }
-  return largest_alpha > 0 ? largest_jump / largest_alpha : 0.0;
+  constexpr double kAtRest = 1e-280;  // rates of no account, with few digits left
+  return largest_alpha > kAtRest ? largest_jump / largest_alpha : 0.0;
 }
 
 }  // namespace qtraj

@@ -58,6 +58,8 @@ Outcome build_rotation_spline(Construction& construction) {
   if (!at_rest) outcome = solve(equations);
   if (outcome.status != Status::ok) return outcome;
   construction.residual = at_rest ? 0.0 : equations.residual();
+  constexpr double kLargestResidual = 1e-9;  // rounding leaves 1e-15
+  if (construction.residual > kLargestResidual) return {Status::no_convergence, kNoIndex};
 
   auto* segments = static_cast<RotationVectorSegment<3>*>(construction.segments);
   double bound = 0;

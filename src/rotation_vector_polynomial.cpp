@@ -1,5 +1,7 @@
 #include "qtraj/rotation_vector_polynomial.hpp"
 
+#include "qtraj/elementary.hpp"
+
 namespace qtraj {
 namespace {
 
@@ -35,7 +37,6 @@ double set_quintic(const Quaternion& base, double h, const EndValues<Vector3>& p
 }
 
 ExponentRange range_of(double bound) {
-  constexpr double kPi = 0x1.921fb54442d18p+1;
   if (bound <= 0.5 * kPi) return ExponentRange::quarter_turn;
   if (bound <= kPi) return ExponentRange::half_turn;
   if (bound <= 2.0 * kPi) return ExponentRange::full_turn;

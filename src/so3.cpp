@@ -7,8 +7,6 @@
 namespace qtraj {
 namespace {
 
-constexpr double kPi = 0x1.921fb54442d18p+1;
-
 template <std::size_t Terms>
 double polynomial(const double (&coefficients)[Terms], double x) {
   double sum = coefficients[Terms - 1];

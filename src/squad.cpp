@@ -1,14 +1,13 @@
 #include "qtraj/squad.hpp"
 
 #include "qtraj/arc.hpp"
+#include "qtraj/elementary.hpp"
 #include "qtraj/end_rate.hpp"
 #include "qtraj/knots.hpp"
 #include "qtraj/so3.hpp"
 
 namespace qtraj {
 namespace {
-
-constexpr double kPi = 0x1.921fb54442d18p+1;
 
 // Working space: per key the half rate s_i, per segment the log L_i.
 struct Workspace {

@@ -11,17 +11,18 @@ Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump
 
 // Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
 // bisection with 12-point Gauss rules, until halving a piece changes it by less than 1e-13 of the largest part, or by
-// no more than the rounding of the integrand: 1e-9 relative. At most 1000 cuts a segment: enough for any cusp, but not
-// for segments of thousands of turns.
+// no more than the rounding of the integrand: 1e-9 relative. no_convergence where
+// a segment takes more than 1e5 cuts: tens of thousands of turns, or a quaternion quintic whose norm all but vanishes.
 Outcome energy(const Trajectory& trajectory, double& result);
 Outcome total_angle(const Trajectory& trajectory, double& result);
 
 // Largest |omega| and |alpha| and when they are reached. The pieces of the integrals to 1e-6 are sampled at 12 points;
 // every local maximum above a quarter of the largest value so far, and the first and the last interval of each piece,
 // are narrowed by golden sections to 1e-9 of the piece, which leaves the value right to rounding.
-struct PeakRates {
-  double omega, omega_time, alpha, alpha_time;
+struct Peak {
+  double value, time;
 };
-Outcome peak_rates(const Trajectory& trajectory, PeakRates& peaks);
+Outcome peak_omega(const Trajectory& trajectory, Peak& peak);
+Outcome peak_alpha(const Trajectory& trajectory, Peak& peak);
 
 }  // namespace qtraj

@@ -3,6 +3,8 @@
 
 namespace qtraj {
 
+constexpr double kPi = 0x1.921fb54442d18p+1;
+
 struct SinCos {
   double sin, cos;
 };

@@ -65,6 +65,7 @@ class RateEquations {
   bool apply_step(double& size);
   double local_rate(size_t knot) const;
   double fastest_rate() const;
+  double longest_beside(size_t knot) const;
   double scale_at(size_t knot, double fastest) const;
   void copy(double (*from)[3], double (*to)[3]) const;
 

@@ -37,11 +37,12 @@ struct Kernel {
 };
 
 // The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body
-// frame; false where they overflow.
+// frame; only those wanted are written, and it is false where one of these overflows.
 struct SegmentMotion {
   double q[4], omega[3], alpha[3];
 };
-bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, SegmentMotion& motion);
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
+                    SegmentMotion& motion);
 
 extern const Kernel kPlainKernel;
 #if defined(QTRAJ_HAS_FUSED_KERNEL)

@@ -18,7 +18,7 @@ constexpr double kLargest = 0x1.fffffffffffffp+1023;
 
 double magnitude(double value) { return value < 0 ? -value : value; }
 
-// False where no multiple below `count` of the step, added to the start, can overflow.
+// Whether a multiple below `count` of the step, added to the start, may overflow.
 bool may_overflow(const TimeSource& times, size_t count) {
   return magnitude(times.start) > 0.25 * kLargest ||
          magnitude(times.step) > 0.25 * kLargest / static_cast<double>(count | 1);

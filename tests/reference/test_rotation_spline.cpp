@@ -157,6 +157,15 @@ TEST_CASE("through two keys the spline is the slerp for every end that is not gi
   }
 }
 
+TEST_CASE("intervals that grow by half each time converge at once", "[rotation_spline][singular]") {
+  Keys keys;
+  double time = 1e-60;
+  for (int key = 0; key < 420; ++key, time *= 1.5) keys.add(time, test::about({0, 0, 1}, 0.1 * key));
+  const Trajectory trajectory({QTRAJ_ROTATION_SPLINE}, keys);
+  CHECK(qtraj_iterations(trajectory.get()) <= 10);
+  CHECK(qtraj_residual(trajectory.get()) <= 1e-12);
+}
+
 TEST_CASE("repeated keys neither stop the solver nor disturb it", "[rotation_spline][singular]") {
   Random random(6);
   Keys keys;

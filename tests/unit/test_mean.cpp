@@ -52,6 +52,16 @@ TEST_CASE("one sample is its own mean, and opposite signs do not matter", "[mean
   }
 }
 
+TEST_CASE("orientations that differ by less than a square can hold have a mean", "[mean][singular]") {
+  for (const double e : {1e-82, 1e-90, 1e-160, 1e-300}) {
+    qtraj::OrientationScatter scatter;
+    for (int i = 0; i < 3; ++i) scatter.add(Quaternion(1, i * e, e, 0), 1.0);
+    Quaternion mean;
+    REQUIRE(scatter.top_eigenvector(DBL_EPSILON, mean) == Status::ok);
+    CHECK(difference_of_orientations(mean, Quaternion(1, 0, 0, 0)) <= 1e-15);
+  }
+}
+
 TEST_CASE("evenly spread orientations have no mean", "[mean][singular]") {
   qtraj::OrientationScatter four, two;
   for (int k = 0; k < 4; ++k) four.add(Quaternion::Unit(k), 1.0);
