@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/support/apt_packages.sh
 unset DESTDIR PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR
 
-need_packages cmake g++ make libeigen3-dev pkg-config
+need_packages cmake g++ make libeigen3-dev libhwy-dev pkg-config
 
 # relative paths: the compiler flags of pkg-config shall hold no blank
 out=build/quickstart

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/support/apt_packages.sh
 
-need_packages cmake g++ make ninja-build libeigen3-dev catch2 pkg-config python3 python3-scipy \
+need_packages cmake g++ make ninja-build libeigen3-dev libhwy-dev catch2 pkg-config python3 python3-scipy \
   binutils clang clang-format-14
 
 for preset in dev asan-ubsan; do

@@ -5,24 +5,29 @@
 
 namespace qtraj {
 
-// value + error is exact; error is at most half an ulp of value.
-struct Exact {
-  double value, error;
+// value + error is exact; error is at most half an ulp of value. Number: double, or a vector of it. Vector files
+// include this header: nothing in it may become a shared symbol.
+template <class Number>
+struct ExactOf {
+  Number value, error;
 };
+using Exact = ExactOf<double>;
 
-inline Exact two_sum(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
+template <class Number>
+static inline ExactOf<Number> two_sum(Number a, Number b) {
+  const Number sum = a + b;
+  const Number b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 // For |a|, |b| < 2^500 and products above 2^-900. Without fma, so that every target rounds alike.
-inline Exact two_product(double a, double b) {
-  constexpr double kSplit = 134217729.0;  // 2^27 + 1
-  const double a_shifted = kSplit * a, b_shifted = kSplit * b;
-  const double a_high = a_shifted - (a_shifted - a), b_high = b_shifted - (b_shifted - b);
-  const double a_low = a - a_high, b_low = b - b_high;
-  const double product = a * b;
+template <class Number>
+static inline ExactOf<Number> two_product(Number a, Number b) {
+  const Number split(134217729.0);  // 2^27 + 1
+  const Number a_shifted = split * a, b_shifted = split * b;
+  const Number a_high = a_shifted - (a_shifted - a), b_high = b_shifted - (b_shifted - b);
+  const Number a_low = a - a_high, b_low = b - b_high;
+  const Number product = a * b;
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 

@@ -28,14 +28,21 @@ static inline bool is_finite(float value) {
   return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
+// One of two numbers. Vectors of numbers have functions of these names too (kernel/wide.hpp), and a mask of lanes for
+// the condition.
+static inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+static inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
+static inline bool any(bool condition) { return condition; }
+
 // Nearest integer for |value| < 2^51, ties to even: no libm call and no conversion. Where the caller has set another
-// rounding mode, still an integer within one half.
-static inline double round_to_integer(double value) {
-  constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: its last bit is worth 1
-  const double rounded = (value + kShift) - kShift;
-  if (rounded - value > 0.5) return rounded - 1.0;
-  if (value - rounded > 0.5) return rounded + 1.0;
-  return rounded;
+// rounding mode, still an integer within one half. Number: double, or a vector of it.
+template <class Number>
+static inline Number round_to_integer(Number value) {
+  const Number shift(6755399441055744.0);  // 1.5 * 2^52: its last bit is worth 1
+  const Number half(0.5), one(1.0);
+  const Number rounded = (value + shift) - shift;
+  const Number not_above = select(half < rounded - value, rounded - one, rounded);
+  return select(half < value - rounded, rounded + one, not_above);
 }
 
 }  // namespace qtraj

@@ -1,5 +1,6 @@
-// The handle: one block of memory, this header first, then knots, keys and segments, found by offsets so that the block
-// can be copied. Immutable once built. Vector files include this header: plain data, and functions defined elsewhere.
+// The handle: one block of memory, this header first, then knots, their guide, keys and segments, found by offsets so
+// that the block can be copied. Immutable once built. Vector files include this header: plain data, and functions
+// defined elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +40,9 @@ struct Trajectory {
   bool closed;          // PERIODIC, at its ends or beyond them
   bool negate_on_wrap;  // PERIODIC extrapolation: the last key is minus the first
   bool on_heap;
-  size_t keys_offset, segments_offset;  // bytes from here; knots follow this header
+  double guide_scale;
+  int32_t guide_steps;
+  size_t guide_offset, keys_offset, segments_offset;  // bytes from here; knots follow this header
 };
 
 // Bytes of a handle and of the constructor's working space; false where they would exceed PTRDIFF_MAX.

@@ -1,16 +1,62 @@
+#include <atomic>
+#include <cstring>
+
 #include "kernel.hpp"
 
 namespace qtraj {
+namespace {
+
+struct Candidate {
+  const Kernel* kernel;
+  bool (*runs_here)();
+};
+
+// Best first.
+const Candidate kCandidates[] = {
+#if defined(QTRAJ_X86_KERNELS)
+    {&kAvx512Kernel,
+     [] {
+       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+              __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+     }},
+    {&kAvx2Kernel,
+     [] { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"); }},
+    {&kSse4Kernel, [] { return __builtin_cpu_supports("sse4.2") != 0; }},
+    {&kSsse3Kernel, [] { return __builtin_cpu_supports("ssse3") != 0; }},
+#elif defined(QTRAJ_NEON_KERNEL)
+    {&kNeonKernel, [] { return true; }},
+#endif
+    {&kScalarKernel, [] { return true; }},
+};
+
+const Kernel& best_kernel() {
+  for (const Candidate& candidate : kCandidates)
+    if (candidate.runs_here()) return *candidate.kernel;
+  return kScalarKernel;
+}
+
+// Only tests write it, before they sample.
+std::atomic<const Kernel*> forced_kernel{nullptr};
+
+}  // namespace
 
 const Kernel& kernel() {
-#if defined(QTRAJ_HAS_FUSED_KERNEL) && defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return kFusedKernel;
-  return kPlainKernel;
-#elif defined(QTRAJ_HAS_FUSED_KERNEL)
-  return kFusedKernel;
-#else
-  return kPlainKernel;
-#endif
+  const Kernel* forced = forced_kernel.load(std::memory_order_relaxed);
+  return forced ? *forced : best_kernel();
+}
+
+bool force_kernel(const char* target) {
+  if (!target) {
+    forced_kernel.store(nullptr, std::memory_order_relaxed);
+    return true;
+  }
+  for (const Candidate& candidate : kCandidates) {
+    if (std::strcmp(candidate.kernel->target, target) != 0 || !candidate.runs_here()) continue;
+    forced_kernel.store(candidate.kernel, std::memory_order_relaxed);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace qtraj

@@ -1,47 +1,62 @@
-// Rotation-vector polynomials: q = base exp(p(s)).
+// Rotation-vector polynomials: q = base exp(p(x)).
 #pragma once
 
-#include <type_traits>
-
+#include "evaluator.hpp"
 #include "half_angle.hpp"
 
 namespace qtraj {
 namespace {
 
-template <class Arithmetic, size_t Degree, ExponentRange Range>
-struct RotationVectorEvaluator {
-  using Segment = RotationVectorSegment<Degree>;
-  // Past the last range in double for float samples too: coefficients may be past the range of float.
-  template <class Real>
-  using Working = std::conditional_t<Range == ExponentRange::any, double, Real>;
+template <class Arithmetic, size_t Degree>
+class RotationVectorEvaluator : public EvaluatorDefaults {
+ public:
+  template <class Value>
+  using SegmentOf = RotationVectorSegment<Degree, Value>;
 
-  template <class Real>
-  static void sample(const Segment& segment, double elapsed, Real (&q)[4]) {
-    using Work = Working<Real>;
-    Work base[4], p[3], turned[4];
-    load(segment.base, base);
-    vector_horner<Arithmetic>(segment.c, static_cast<Work>(position<Arithmetic>(elapsed, segment.scale)), p);
-    const Work y = dot<Arithmetic>(p, p);
-    if constexpr (Range == ExponentRange::any)
-      turn<Arithmetic>(base, cos_sinc_any<Arithmetic>(y), p, turned);
-    else
-      turn<Arithmetic>(base, cos_sinc<Arithmetic, static_cast<int>(Range)>(y), p, turned);
+  // |p| <= 2^doublings pi/2.
+  explicit RotationVectorEvaluator(int doublings) : doublings_(doublings) {}
+
+  template <class Number>
+  void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+    Number p[3];
+    vector_horner<Arithmetic>(segment.c, x, p);
+    turn<Arithmetic>(segment.base, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
     // each doubling doubles the error of the norm
-    if constexpr (Range != ExponentRange::quarter_turn) newton_normalize<Arithmetic>(turned);
-    for (size_t k = 0; k < 4; ++k) q[k] = static_cast<Real>(turned[k]);
+    if (doublings_ > 0) newton_normalize<Arithmetic>(q);
   }
 
-  static double scale(const Segment& segment) { return segment.scale; }
+  template <class Number>
+  void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+    HalfAngleJet<Number> jet;
+    polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
+    exponential_rates<Arithmetic>(jet, doublings_, rates);
+  }
 
-  template <class Work>
-  static void sample_rates(const Segment& segment, double elapsed, Rates<Work>& rates) {
-    HalfAngleJet<Work> jet;
-    polynomial_jet<Arithmetic>(segment.c, static_cast<Work>(position<Arithmetic>(elapsed, segment.scale)), jet.p,
-                               jet.dp, jet.ddp);
-    if constexpr (Range == ExponentRange::any)
-      exponential_rates_any<Arithmetic>(jet, rates);
-    else
-      exponential_rates<Arithmetic, static_cast<int>(Range)>(jet, rates);
+ private:
+  int doublings_;
+};
+
+// Any |p| below 2^500, in double for float samples too: coefficients may be past the range of float.
+template <class Arithmetic, size_t Degree>
+struct LongRotationVectorEvaluator : EvaluatorDefaults {
+  template <class Value>
+  using SegmentOf = RotationVectorSegment<Degree, Value>;
+  template <class Real>
+  using Working = double;
+
+  template <class Number>
+  void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+    Number p[3];
+    vector_horner<Arithmetic>(segment.c, x, p);
+    turn<Arithmetic>(segment.base, cos_sinc_any<Arithmetic>(dot<Arithmetic>(p, p)), p, q);
+    newton_normalize<Arithmetic>(q);
+  }
+
+  template <class Number>
+  void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+    HalfAngleJet<Number> jet;
+    polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
+    exponential_rates_any<Arithmetic>(jet, rates);
   }
 };
 

@@ -7,74 +7,76 @@
 // Theory, and Lie Groups", vol. 2 (2012), eq. 10.86.
 #pragma once
 
+#include "elementary.hpp"
 #include "motion.hpp"
-#include "qtraj/elementary.hpp"
 #include "qtraj/segment.hpp"
 
 namespace qtraj {
 namespace {
 
-template <class Real>
+template <class Number>
 struct CosSinc {
-  Real c, k;
+  Number c, k;
 };
-template <class Real>
+template <class Number>
 struct RateFactors {
-  Real d, e;
+  Number d, e;
 };
 
-// For |p| <= 2^Doublings pi/2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x and
-// sinc 2x = cos x sinc x. No square root, no division, no branch.
-template <class Arithmetic, int Doublings, class Real>
-CosSinc<Real> cos_sinc(Real y) {
-  constexpr Real kFraction = Real(1) / Real(1 << (2 * Doublings));
-  Real z = y * kFraction;
-  CosSinc<Real> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
-  for (int step = 0; step < Doublings; ++step) {
-    const Real k = f.c * f.k;
-    f.c = Arithmetic::multiply_add(Real(-2) * z * f.k, f.k, Real(1));
-    f.k = k;
-    z *= Real(4);
+// For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x
+// and sinc 2x = cos x sinc x. No square root, no division, and the same branches for all samples of a trajectory.
+template <class Arithmetic, class Number>
+CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
+  using Real = Element<Number>;
+  return {Arithmetic::multiply_add(Number(Real(-2)) * z * f.k, f.k, Number(Real(1))), f.c * f.k};
+}
+template <class Arithmetic, class Number>
+CosSinc<Number> cos_sinc(Number y, int doublings) {
+  using Real = Element<Number>;
+  Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
+  CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
+  for (int step = 0; step < doublings; ++step) {
+    f = doubled<Arithmetic>(f, z);
+    z = Number(Real(4)) * z;
   }
   return f;
 }
 
 // D and E the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16.
-template <class Arithmetic, int Doublings, class Real>
-RateFactors<Real> rate_factors(Real y) {
-  constexpr Real kFraction = Real(1) / Real(1 << (2 * Doublings));
-  Real z = y * kFraction;
-  CosSinc<Real> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
-  RateFactors<Real> g = {evaluate<Arithmetic, DHalf>(z), evaluate<Arithmetic, EHalf>(z)};
-  for (int step = 0; step < Doublings; ++step) {
-    const Real d = Real(0.25) * Arithmetic::multiply_add(f.c, g.d, f.k * f.k);
-    g.e = Real(0.0625) * Arithmetic::multiply_add(f.c, g.e, Real(3) * g.d * f.k);
-    g.d = d;
-    const Real k = f.c * f.k;
-    f.c = Arithmetic::multiply_add(Real(-2) * z * f.k, f.k, Real(1));
-    f.k = k;
-    z *= Real(4);
+template <class Arithmetic, class Number>
+RateFactors<Number> rate_factors(Number y, int doublings) {
+  using Real = Element<Number>;
+  Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
+  CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
+  RateFactors<Number> g = {evaluate<Arithmetic, DHalf>(z), evaluate<Arithmetic, EHalf>(z)};
+  for (int step = 0; step < doublings; ++step) {
+    const Number e = Arithmetic::multiply_add(f.c, g.e, Number(Real(3)) * g.d * f.k);
+    g = {Number(Real(0.25)) * Arithmetic::multiply_add(f.c, g.d, f.k * f.k), Number(Real(0.0625)) * e};
+    f = doubled<Arithmetic>(f, z);
+    z = Number(Real(4)) * z;
   }
   return g;
 }
 
+// For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as
+// 1 where it may be 0.
 constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
 
-// For any |p| below 2^500.
-template <class Arithmetic>
-CosSinc<double> cos_sinc_any(double y) {
-  if (y <= kPolynomialLimit) return cos_sinc<Arithmetic, 0>(y);
-  const double angle = square_root(y);
-  const SinCos at = sin_cos(angle);
-  return {at.cos, at.sin / angle};
+template <class Arithmetic, class Number>
+CosSinc<Number> cos_sinc_any(Number y) {
+  const auto is_short = y <= Number(kPolynomialLimit);
+  const CosSinc<Number> near = cos_sinc<Arithmetic>(select(is_short, y, Number(0.0)), 0);
+  const Number angle = select(is_short, Number(1.0), square_root(y));
+  const SinCosOf<Number> at = sin_cos_of(angle);
+  return {select(is_short, near.c, at.cos), select(is_short, near.k, at.sin / angle)};
 }
 
 // base (c, k p), the Hamilton product.
-template <class Arithmetic, class Real>
-void turn(const Real (&base)[4], const CosSinc<Real>& f, const Real (&p)[3], Real (&q)[4]) {
-  const Real w = base[0], x = base[1], y = base[2], z = base[3];
-  const Real vx = f.k * p[0], vy = f.k * p[1], vz = f.k * p[2];
-  const auto add = [](Real a, Real b, Real c) { return Arithmetic::multiply_add(a, b, c); };
+template <class Arithmetic, class Number>
+void turn(const Number (&base)[4], const CosSinc<Number>& f, const Number (&p)[3], Number (&q)[4]) {
+  const Number w = base[0], x = base[1], y = base[2], z = base[3];
+  const Number vx = f.k * p[0], vy = f.k * p[1], vz = f.k * p[2];
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
   q[0] = add(-z, vz, add(-y, vy, add(-x, vx, w * f.c)));
   q[1] = add(-z, vy, add(y, vz, add(x, f.c, w * vx)));
   q[2] = add(-x, vz, add(z, vx, add(y, f.c, w * vy)));
@@ -82,64 +84,75 @@ void turn(const Real (&base)[4], const CosSinc<Real>& f, const Real (&p)[3], Rea
 }
 
 // A half-angle vector with its derivatives.
-template <class Real>
+template <class Number>
 struct HalfAngleJet {
-  Real p[3], dp[3], ddp[3];
+  Number p[3], dp[3], ddp[3];
 };
 
 // Weights of the cross products in the formulas above, p there a vector of any length. A vector of many turns is passed
 // as its unit vector, the powers of its length in the weights: no product then overflows.
-template <class Real>
+template <class Number>
 struct RateWeights {
-  Real once, twice;              // p x p' and p x (p x p'), and the same with p''
-  Real sideways;                 // p' x (p x p')
-  Real along_once, along_twice;  // (p.p') p x p' and (p.p') p x (p x p')
+  Number once, twice;              // p x p' and p x (p x p'), and the same with p''
+  Number sideways;                 // p' x (p x p')
+  Number along_once, along_twice;  // (p.p') p x p' and (p.p') p x (p x p')
 };
 
-template <class Arithmetic, class Real>
-void weigh_rates(const HalfAngleJet<Real>& jet, const Real (&p)[3], const RateWeights<Real>& weights,
-                 Rates<Real>& rates) {
-  Real once[3], twice[3], ddp_once[3], ddp_twice[3], sideways[3];
+template <class Arithmetic, class Number>
+void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const RateWeights<Number>& weights,
+                 Rates<Number>& rates) {
+  Number once[3], twice[3], ddp_once[3], ddp_twice[3], sideways[3];
   cross<Arithmetic>(p, jet.dp, once);
   cross<Arithmetic>(p, once, twice);
   cross<Arithmetic>(p, jet.ddp, ddp_once);
   cross<Arithmetic>(p, ddp_once, ddp_twice);
   cross<Arithmetic>(jet.dp, once, sideways);
-  const Real along = dot<Arithmetic>(p, jet.dp);
-  const Real along_once = weights.along_once * along, along_twice = weights.along_twice * along;
-  const auto add = [](Real a, Real b, Real c) { return Arithmetic::multiply_add(a, b, c); };
+  const Number along = dot<Arithmetic>(p, jet.dp);
+  const Number along_once = weights.along_once * along, along_twice = weights.along_twice * along;
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
+  const Number two = Number(Element<Number>(2));
   for (size_t k = 0; k < 3; ++k) {
-    rates.omega[k] = Real(2) * add(weights.twice, twice[k], add(weights.once, once[k], jet.dp[k]));
-    const Real direct = add(weights.twice, ddp_twice[k], add(weights.once, ddp_once[k], jet.ddp[k]));
-    const Real turning = add(weights.sideways, sideways[k], add(along_twice, twice[k], along_once * once[k]));
-    rates.alpha[k] = Real(2) * (direct + turning);
+    rates.omega[k] = two * add(weights.twice, twice[k], add(weights.once, once[k], jet.dp[k]));
+    const Number direct = add(weights.twice, ddp_twice[k], add(weights.once, ddp_once[k], jet.ddp[k]));
+    const Number turning = add(weights.sideways, sideways[k], add(along_twice, twice[k], along_once * once[k]));
+    rates.alpha[k] = two * (direct + turning);
   }
 }
 
-// Body rates of exp p for |p| <= 2^Doublings pi/2.
-template <class Arithmetic, int Doublings, class Real>
-void exponential_rates(const HalfAngleJet<Real>& jet, Rates<Real>& rates) {
-  const Real y = dot<Arithmetic>(jet.p, jet.p);
-  const CosSinc<Real> f = cos_sinc<Arithmetic, Doublings>(y);
-  const RateFactors<Real> g = rate_factors<Arithmetic, Doublings>(y);
-  const Real twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * g.d));
-  weigh_rates<Arithmetic>(
-      jet, jet.p, {-(f.k * f.k), twice, twice, Real(2) * f.k * g.d, Arithmetic::multiply_add(f.c, g.e, -(f.k * g.d))},
-      rates);
+// For |p| <= 2^doublings pi/2.
+template <class Arithmetic, class Number>
+RateWeights<Number> rate_weights(Number y, int doublings) {
+  const CosSinc<Number> f = cos_sinc<Arithmetic>(y, doublings);
+  const RateFactors<Number> g = rate_factors<Arithmetic>(y, doublings);
+  const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * g.d));
+  return {-(f.k * f.k), twice, twice, Number(Element<Number>(2)) * f.k * g.d,
+          Arithmetic::multiply_add(f.c, g.e, -(f.k * g.d))};
 }
 
-// For any |p| below 2^500.
-template <class Arithmetic>
-void exponential_rates_any(const HalfAngleJet<double>& jet, Rates<double>& rates) {
-  const double y = dot<Arithmetic>(jet.p, jet.p);
-  if (y <= kPolynomialLimit) return exponential_rates<Arithmetic, 0>(jet, rates);
-  const double length = square_root(y);
-  const double axis[3] = {jet.p[0] / length, jet.p[1] / length, jet.p[2] / length};
-  const SinCos at = sin_cos(length);
-  const double k = at.sin / length, twice = 1.0 - at.cos * k;
-  const double along_twice = (3.0 * at.cos * (k - at.cos) - at.sin * at.sin) / length;
-  weigh_rates<Arithmetic>(jet, axis, {-(at.sin * k), twice, twice / length, 2.0 * k * (k - at.cos), along_twice},
-                          rates);
+// Body rates of exp p for |p| <= 2^doublings pi/2.
+template <class Arithmetic, class Number>
+void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, Rates<Number>& rates) {
+  weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings), rates);
+}
+
+// For any |p| below 2^500; Number of double.
+template <class Arithmetic, class Number>
+void exponential_rates_any(const HalfAngleJet<Number>& jet, Rates<Number>& rates) {
+  const Number zero(0.0), one(1.0), two(2.0), three(3.0);
+  const Number y = dot<Arithmetic>(jet.p, jet.p);
+  const auto is_short = y <= Number(kPolynomialLimit);
+  const RateWeights<Number> near = rate_weights<Arithmetic>(select(is_short, y, zero), 0);
+
+  const Number length = select(is_short, one, square_root(y));
+  const SinCosOf<Number> at = sin_cos_of(length);
+  const Number k = at.sin / length, twice = one - at.cos * k;
+  const Number along_twice = (three * at.cos * (k - at.cos) - at.sin * at.sin) / length;
+  const RateWeights<Number> weights = {select(is_short, near.once, -(at.sin * k)), select(is_short, near.twice, twice),
+                                       select(is_short, near.sideways, twice / length),
+                                       select(is_short, near.along_once, two * k * (k - at.cos)),
+                                       select(is_short, near.along_twice, along_twice)};
+  const Number direction[3] = {jet.p[0] / length, jet.p[1] / length, jet.p[2] / length};
+  weigh_rates<Arithmetic>(jet, direction, weights, rates);
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 
 #include "qtraj/trajectory.hpp"
 
-// Targets with a fused kernel: AArch64 always, x86-64 on CPUs that have AVX2 and FMA.
-#if !defined(QTRAJ_NO_SIMD) && (defined(__x86_64__) || defined(__aarch64__))
-#define QTRAJ_HAS_FUSED_KERNEL
+#if !defined(QTRAJ_NO_SIMD) && defined(__x86_64__)
+#define QTRAJ_X86_KERNELS
+#elif !defined(QTRAJ_NO_SIMD) && defined(__aarch64__)
+#define QTRAJ_NEON_KERNEL
 #endif
 
 namespace qtraj {
@@ -44,12 +45,19 @@ struct SegmentMotion {
 bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
                     SegmentMotion& motion);
 
-extern const Kernel kPlainKernel;
-#if defined(QTRAJ_HAS_FUSED_KERNEL)
-extern const Kernel kFusedKernel;
+// One for each instruction set. Fused arithmetic: avx2, avx512 and neon; all others are plain.
+extern const Kernel kScalarKernel;
+#if defined(QTRAJ_X86_KERNELS)
+extern const Kernel kSsse3Kernel, kSse4Kernel, kAvx2Kernel, kAvx512Kernel;
+#elif defined(QTRAJ_NEON_KERNEL)
+extern const Kernel kNeonKernel;
 #endif
 
 // The kernel for this CPU.
 const Kernel& kernel();
+
+// For tests: the kernel of that name from now on, in all threads; null: the one for this CPU again. False where this
+// CPU cannot run it or there is none of the name.
+bool force_kernel(const char* target);
 
 }  // namespace qtraj

@@ -1,169 +1,51 @@
-// Sampling: each time finds its segment and is evaluated there.
+// Sampling one time after the other: each finds its segment and is evaluated there. The reference that vector kernels
+// of the same arithmetic equal bit for bit, and what they fall back on for rows at fault, times outside the knots and
+// small batches.
 #pragma once
+
+#include <type_traits>
 
 #include "evaluate_arc.hpp"
 #include "evaluate_nested_arcs.hpp"
 #include "evaluate_normalized.hpp"
 #include "evaluate_rotation_vector.hpp"
-#include "kernel.hpp"
 #include "qtraj/extrapolation.hpp"
-#include "qtraj/floating.hpp"
+#include "rows.hpp"
 
 namespace qtraj {
 namespace {
 
-// ---- Times ----
-
-constexpr double kLargest = 0x1.fffffffffffffp+1023;
-
-double magnitude(double value) { return value < 0 ? -value : value; }
-
-// Whether a multiple below `count` of the step, added to the start, may overflow.
-bool may_overflow(const TimeSource& times, size_t count) {
-  return magnitude(times.start) > 0.25 * kLargest ||
-         magnitude(times.step) > 0.25 * kLargest / static_cast<double>(count | 1);
+// Segments of a trajectory as rows of numbers.
+template <class Segment>
+const Segment* segments_of(const Trajectory& trajectory) {
+  return reinterpret_cast<const Segment*>(reinterpret_cast<const char*>(&trajectory) + trajectory.segments_offset);
 }
 
-// start + i step, or infinity instead of an overflow, which would raise FE_OVERFLOW.
-double uniform_time_guarded(const TimeSource& times, double i) {
-  constexpr double kInfinity = __builtin_inf();
-  constexpr double kReduced = 0x1p-64;  // more than i has digits
-  if (magnitude(i * (kReduced * times.step)) > kReduced * kLargest) return kInfinity;
-  const double offset = i * times.step;
-  if (magnitude(0.5 * times.start + 0.5 * offset) > 0.5 * kLargest) return kInfinity;
-  return times.start + offset;
-}
-
-class TimeReader {
- public:
-  TimeReader(const TimeSource& times, size_t count)
-      : times_(times),
-        finite_(is_finite(times.start) && is_finite(times.step)),
-        guarded_(finite_ && !times.array && may_overflow(times, count)) {}
-
-  double operator[](size_t i) const {
-    if (times_.array) return times_.array[i];
-    if (!finite_) return __builtin_nan("");
-    const double row = static_cast<double>(i);
-    return guarded_ ? uniform_time_guarded(times_, row) : times_.start + row * times_.step;
-  }
-
- private:
-  const TimeSource& times_;
-  bool finite_, guarded_;
-};
-
-// ---- Segments ----
-
-// Segment of a time within the knots: the one that starts at or last before it; at the last knot the last one.
-size_t find_segment(const double* knots, size_t segments, double time, size_t guess) {
-  if (guess < segments && knots[guess] <= time) {
-    if (time < knots[guess + 1]) return guess;
-    if (guess + 1 < segments && time < knots[guess + 2]) return guess + 1;
-  }
-  size_t low = 0, count = segments;  // the answer is in [low, low + count)
-  while (count > 1) {
-    const size_t half = count / 2;
-    if (knots[low + half] <= time) low += half;
-    count -= half;
-  }
-  return low;
-}
-
-const char* bytes_of(const Trajectory& trajectory) { return reinterpret_cast<const char*>(&trajectory); }
-
-// ---- Rows ----
-
-template <class Real, size_t Size>
-void write(const Real (&from)[Size], Real* to, size_t row) {
-  if (!to) return;
-  for (size_t k = 0; k < Size; ++k) to[Size * row + k] = from[k];
-}
-
-template <class Real>
-struct Row {
-  Real q[4], omega[3], alpha[3];
-};
-
-template <class Real>
-void write_row(const Row<Real>& from, const SampleOutputs<Real>& outputs, size_t row) {
-  write(from.q, outputs.q, row);
-  write(from.omega, outputs.omega, row);
-  write(from.alpha, outputs.alpha, row);
-}
-
-template <class Real>
-Row<Real> nan_row() {
-  constexpr Real kNaN = static_cast<Real>(__builtin_nan(""));
-  return {{kNaN, kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-}
-
-template <class Real>
-constexpr double largest_of() {
-  return sizeof(Real) == sizeof(double) ? kLargest : 0x1.fffffep+127;
-}
-
-// value * factor, false instead of an overflow of the product or of its rounding to Real.
-template <class Real>
-bool scaled(double value, double factor, double& product) {
-  constexpr double kSafe = 0x1p500;
-  if ((magnitude(value) > kSafe || factor > kSafe) && factor > 1 && magnitude(value) > kLargest / factor) return false;
-  product = value * factor;
-  return magnitude(product) <= largest_of<Real>();
-}
-
-// Which rates a call asked for: an overflow of the others is none of its business.
-struct Wanted {
-  Frame frame;
-  bool omega, alpha;
-};
-
-// Body rates in units of a segment to rates in time and in the frame asked for; false where one that is wanted
-// overflows.
-template <class Arithmetic, class Real, class Work>
-bool finish_rates(const Real (&q)[4], Rates<Work>& rates, double scale, const Wanted& wanted, Row<Real>& row) {
-  if (wanted.frame == Frame::world) {
-    const Work attitude[4] = {static_cast<Work>(q[0]), static_cast<Work>(q[1]), static_cast<Work>(q[2]),
-                              static_cast<Work>(q[3])};
-    rotate_to_world<Arithmetic>(attitude, rates.omega);
-    rotate_to_world<Arithmetic>(attitude, rates.alpha);
-  }
-  for (size_t k = 0; k < 3; ++k) {
-    double value;
-    if (wanted.omega) {
-      if (!scaled<Real>(static_cast<double>(rates.omega[k]), scale, value)) return false;
-      row.omega[k] = static_cast<Real>(value);
-    }
-    if (wanted.alpha) {
-      if (!scaled<double>(static_cast<double>(rates.alpha[k]), scale, value)) return false;
-      if (!scaled<Real>(value, scale, value)) return false;
-      row.alpha[k] = static_cast<Real>(value);
-    }
-  }
-  return true;
-}
-
-// Copies the constant rate of an extrapolated turn; false where it is past the range of Real.
-template <class Real>
-bool extrapolated_rates(const double (&omega)[3], const Wanted& wanted, Row<Real>& row) {
-  for (size_t k = 0; k < 3; ++k) {
-    row.alpha[k] = 0;
-    if (!wanted.omega) continue;
-    if (magnitude(omega[k]) > largest_of<Real>()) return false;
-    row.omega[k] = static_cast<Real>(omega[k]);
-  }
-  return true;
+// A segment's fields as other numbers: `read` makes each from its place in the row. Segments hold nothing but values of
+// one type. The first field, the scale of time, is left out: it may be past the range of float.
+template <class To, class Value, class Read>
+To read_segment(const Read& read) {
+  static_assert(std::is_standard_layout_v<To> && sizeof(To) % sizeof(Value) == 0);
+  To segment;
+  auto* fields = reinterpret_cast<Value*>(&segment);
+  fields[0] = Value(Element<Value>(0));
+  for (size_t k = 1; k < sizeof(To) / sizeof(Value); ++k) fields[k] = read(k);
+  return segment;
 }
 
 // Samples one trajectory of one kind, with rates or without.
 template <class Evaluator, class Arithmetic, class Real, bool kWithRates>
 class Sampler {
  public:
-  Sampler(const Trajectory& trajectory, const Wanted& wanted)
-      : trajectory_(trajectory),
+  using Segment = typename Evaluator::template SegmentOf<double>;
+  using Work = typename Evaluator::template Working<Real>;
+
+  Sampler(const Evaluator& evaluator, const Trajectory& trajectory, const Wanted& wanted)
+      : evaluator_(evaluator),
+        trajectory_(trajectory),
         wanted_(wanted),
-        knots_(reinterpret_cast<const double*>(bytes_of(trajectory) + sizeof(Trajectory))),
-        segments_(reinterpret_cast<const Segment*>(bytes_of(trajectory) + trajectory.segments_offset)) {}
+        index_(knot_index(trajectory)),
+        segments_(segments_of<Segment>(trajectory)) {}
 
   Status sample(double time, size_t& cursor, Row<Real>& row) const {
     if (!is_finite(time)) return Status::not_finite;
@@ -171,21 +53,37 @@ class Sampler {
     return sample_inside(time, cursor, row);
   }
 
- private:
-  using Segment = typename Evaluator::Segment;
-  using Work = typename Evaluator::template Working<Real>;
-
-  Status sample_inside(double time, size_t& cursor, Row<Real>& row) const {
-    cursor = find_segment(knots_, trajectory_.key_count - 1, time, cursor);
-    const Segment& segment = segments_[cursor];
-    const double elapsed = time - knots_[cursor];
-    Evaluator::sample(segment, elapsed, row.q);
+  // In a given segment, up to its very ends.
+  Status sample_segment(size_t segment, double elapsed, Row<Real>& row) const {
+    const Segment& record = segments_[segment];
+    const double scale = Evaluator::scale(record);
+    const Work x = static_cast<Work>(parameter<Arithmetic>(elapsed, scale, Evaluator::offset(record)));
+    const auto& fields = as_work(record);
+    Work q[4];
+    evaluator_.sample(fields, x, q);
+    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
     if constexpr (kWithRates) {
       Rates<Work> rates;
-      Evaluator::sample_rates(segment, elapsed, rates);
-      if (!finish_rates<Arithmetic>(row.q, rates, Evaluator::scale(segment), wanted_, row)) return Status::not_finite;
+      evaluator_.sample_rates(fields, x, rates);
+      if (!finish_rates<Arithmetic>(q, rates, scale, wanted_, row)) return Status::not_finite;
     }
     return Status::ok;
+  }
+
+ private:
+  static decltype(auto) as_work(const Segment& segment) {
+    if constexpr (std::is_same_v<Work, double>) {
+      return (segment);
+    } else {
+      const auto* fields = reinterpret_cast<const double*>(&segment);
+      return read_segment<typename Evaluator::template SegmentOf<Work>, Work>(
+          [&](size_t k) { return static_cast<Work>(fields[k]); });
+    }
+  }
+
+  Status sample_inside(double time, size_t& cursor, Row<Real>& row) const {
+    cursor = find_segment(index_, time, cursor);
+    return sample_segment(cursor, time - index_.knots[cursor], row);
   }
 
   Status sample_outside(double time, size_t& cursor, Row<Real>& row) const {
@@ -207,48 +105,39 @@ class Sampler {
     return Status::ok;
   }
 
+  const Evaluator evaluator_;
   const Trajectory& trajectory_;
   const Wanted wanted_;
-  const double* knots_;
+  const KnotIndex index_;
   const Segment* segments_;
 };
 
-template <class Evaluator, class Arithmetic, bool kWithRates, class Real>
-Outcome sample_rows(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
-                    const SampleOutputs<Real>& outputs) {
-  const Sampler<Evaluator, Arithmetic, Real, kWithRates> sampler(
-      trajectory, {outputs.frame, outputs.omega != nullptr, outputs.alpha != nullptr});
-  const TimeReader times(source, count);
-  Outcome outcome = {Status::ok, kNoIndex};
-  for (size_t i = 0; i < count; ++i) {
-    Row<Real> row;
-    const Status status = sampler.sample(times[i], cursor, row);
-    if (status != Status::ok) {
-      row = nan_row<Real>();
-      if (outcome.status == Status::ok) outcome = {status, i};
-    }
-    if constexpr (kWithRates)
-      write_row(row, outputs, i);
-    else
-      write(row.q, outputs.q, i);
+// Samples and writes one row, NaN where it is at fault.
+template <class Sampler, class Real>
+void sample_row(const Sampler& sampler, double time, size_t i, size_t& cursor, const SampleOutputs<Real>& outputs,
+                Outcome& outcome) {
+  Row<Real> row;
+  const Status status = sampler.sample(time, cursor, row);
+  if (status != Status::ok) {
+    row = nan_row<Real>();
+    if (outcome.status == Status::ok) outcome = {status, i};
   }
+  write_row(row, outputs, i);
+}
+
+template <class Sampler, class Real>
+Outcome sample_rows(const Sampler& sampler, const TimeReader& times, size_t count, size_t& cursor,
+                    const SampleOutputs<Real>& outputs) {
+  Outcome outcome = {Status::ok, kNoIndex};
+  for (size_t i = 0; i < count; ++i) sample_row(sampler, times[i], i, cursor, outputs, outcome);
   return outcome;
 }
 
 // Calls `with` with the evaluator of a trajectory's segments.
 template <class Arithmetic, size_t Degree, class With>
 auto with_rotation_vector(ExponentRange range, const With& with) {
-  switch (range) {
-    case ExponentRange::quarter_turn:
-      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::quarter_turn>{});
-    case ExponentRange::half_turn:
-      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::half_turn>{});
-    case ExponentRange::full_turn:
-      return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::full_turn>{});
-    case ExponentRange::any:
-      break;
-  }
-  return with(RotationVectorEvaluator<Arithmetic, Degree, ExponentRange::any>{});
+  if (range == ExponentRange::any) return with(LongRotationVectorEvaluator<Arithmetic, Degree>{});
+  return with(RotationVectorEvaluator<Arithmetic, Degree>(static_cast<int>(range)));
 }
 template <class Arithmetic, class With>
 auto with_evaluator(const Trajectory& trajectory, const With& with) {
@@ -258,10 +147,10 @@ auto with_evaluator(const Trajectory& trajectory, const With& with) {
     case SegmentKind::nested_arcs:
       return with(NestedArcsEvaluator<Arithmetic>{});
     case SegmentKind::normalized:
-      return with(NormalizedEvaluator<Arithmetic, 1, ExponentRange::quarter_turn>{});
+      return with(NormalizedEvaluator<Arithmetic, 1, false>{});
     case SegmentKind::normalized_quintic:
-      if (trajectory.range == ExponentRange::any) return with(NormalizedEvaluator<Arithmetic, 5, ExponentRange::any>{});
-      return with(NormalizedEvaluator<Arithmetic, 5, ExponentRange::quarter_turn>{});
+      if (trajectory.range == ExponentRange::any) return with(NormalizedEvaluator<Arithmetic, 5, true>{});
+      return with(NormalizedEvaluator<Arithmetic, 5, false>{});
     case SegmentKind::rotation_vector_quintic:
       return with_rotation_vector<Arithmetic, 5>(trajectory.range, with);
     case SegmentKind::rotation_vector:
@@ -270,14 +159,23 @@ auto with_evaluator(const Trajectory& trajectory, const With& with) {
   return with_rotation_vector<Arithmetic, 3>(trajectory.range, with);
 }
 
+template <class Real>
+Wanted wanted_of(const SampleOutputs<Real>& outputs) {
+  return {outputs.frame, outputs.omega != nullptr, outputs.alpha != nullptr};
+}
+
 template <class Arithmetic, class Real>
-Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+Outcome sample(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
                const SampleOutputs<Real>& outputs) {
-  return with_evaluator<Arithmetic>(trajectory, [&](auto evaluator) {
-    using Evaluator = decltype(evaluator);
-    if (outputs.omega || outputs.alpha)
-      return sample_rows<Evaluator, Arithmetic, true>(trajectory, times, count, cursor, outputs);
-    return sample_rows<Evaluator, Arithmetic, false>(trajectory, times, count, cursor, outputs);
+  return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {
+    using Evaluator = std::decay_t<decltype(evaluator)>;
+    const TimeReader times(source, count);
+    const Wanted wanted = wanted_of(outputs);
+    if (wanted.omega || wanted.alpha)
+      return sample_rows(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted), times, count,
+                         cursor, outputs);
+    return sample_rows(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted), times, count, cursor,
+                       outputs);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "kernel/kernel.hpp"
 #include "kernel/sample.hpp"
+#include "support/forced_kernel.hpp"
 #include "support/trajectory.hpp"
 #include "translate.hpp"
 
@@ -84,28 +85,28 @@ TEST_CASE("plain and fused arithmetic give the same curve to rounding", "[kernel
   }
 }
 
-#if defined(QTRAJ_HAS_FUSED_KERNEL)
-TEST_CASE("the compiled kernels have the bits of their arithmetic, whatever they were compiled for", "[kernel][bits]") {
+TEST_CASE("every kernel has the bits of its arithmetic, sample by sample", "[kernel][bits]") {
   // here the fused template is compiled without fused instructions: each multiply_add is a call of the C library
   Random random(2);
-  const bool has_fused = &qtraj::kernel() == &qtraj::kFusedKernel;
   for (const Case& c : all_cases()) {
     const Keys keys = random_walk(random, c.count, c.largest_step, 0.2, 2.0);
     const test::Trajectory trajectory(c.settings, keys);
-    const std::vector<double> times = times_within(keys, 500);
-    CAPTURE(c.settings.method, c.largest_step, has_fused);
-    CHECK(same_bits(run<double>(qtraj::kPlainKernel.sample, trajectory, times),
-                    run<double>(qtraj::sample<qtraj::Plain, double>, trajectory, times)));
-    CHECK(same_bits(run<float>(qtraj::kPlainKernel.sample_f32, trajectory, times),
-                    run<float>(qtraj::sample<qtraj::Plain, float>, trajectory, times)));
-    if (!has_fused) continue;
-    CHECK(same_bits(run<double>(qtraj::kFusedKernel.sample, trajectory, times),
-                    run<double>(qtraj::sample<qtraj::Fused, double>, trajectory, times)));
-    CHECK(same_bits(run<float>(qtraj::kFusedKernel.sample_f32, trajectory, times),
-                    run<float>(qtraj::sample<qtraj::Fused, float>, trajectory, times)));
+    std::vector<double> times = times_within(keys, 700);  // sorted, with runs; then in no order
+    for (int i = 0; i < 300; ++i) times.push_back(random.uniform(keys.times.front(), keys.times.back()));
+    const auto plain = run<double>(qtraj::sample<qtraj::Plain, double>, trajectory, times);
+    const auto fused = run<double>(qtraj::sample<qtraj::Fused, double>, trajectory, times);
+    const auto plain_f32 = run<float>(qtraj::sample<qtraj::Plain, float>, trajectory, times);
+    const auto fused_f32 = run<float>(qtraj::sample<qtraj::Fused, float>, trajectory, times);
+    for (const char* target : test::kTargets) {
+      const test::ForcedKernel forced(target);
+      if (!forced.runs_here()) continue;
+      CAPTURE(c.settings.method, c.largest_step, target);
+      const bool is_fused = forced.is_fused();
+      CHECK(same_bits(run<double>(qtraj::kernel().sample, trajectory, times), is_fused ? fused : plain));
+      CHECK(same_bits(run<float>(qtraj::kernel().sample_f32, trajectory, times), is_fused ? fused_f32 : plain_f32));
+    }
   }
 }
-#endif
 
 TEST_CASE("cosine and sinc by doublings are right on both sides of each range", "[kernel][singular]") {
   using qtraj::Plain;
@@ -115,9 +116,7 @@ TEST_CASE("cosine and sinc by doublings are right on both sides of each range", 
       const double y = fraction * quarter * (doublings == 0 ? 1 : doublings == 1 ? 4 : 16);
       const long double angle = std::sqrt(static_cast<long double>(y));
       const long double cosine = std::cos(angle), sinc = angle == 0 ? 1 : std::sin(angle) / angle;
-      const auto f = doublings == 0   ? qtraj::cos_sinc<Plain, 0>(y)
-                     : doublings == 1 ? qtraj::cos_sinc<Plain, 1>(y)
-                                      : qtraj::cos_sinc<Plain, 2>(y);
+      const auto f = qtraj::cos_sinc<Plain>(y, doublings);
       const auto any = qtraj::cos_sinc_any<Plain>(y);
       CAPTURE(fraction, doublings);
       CHECK(std::abs(static_cast<double>(f.c - cosine)) <= 2e-16 * (1 + 4 * doublings));

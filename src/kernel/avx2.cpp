@@ -1,0 +1,16 @@
+// Compiled for x86-64 with AVX2, FMA and BMI2.
+#include "kernel.hpp"
+
+#if defined(QTRAJ_X86_KERNELS)
+
+#include "batch.hpp"
+
+static_assert(HWY_TARGET == HWY_AVX2, "compiled with the flags of another target");
+
+namespace qtraj {
+
+const Kernel kAvx2Kernel = {"avx2 fused", sample_batch<Fused, double>, sample_batch<Fused, float>};
+
+}  // namespace qtraj
+
+#endif

@@ -1,0 +1,41 @@
+// What evaluators have in common. An evaluator samples segments of one kind:
+//   SegmentOf<Value>           the segment, its fields any kind of number
+//   scale(segment), offset(segment)
+//                              its parameter is x = (t - t_i) scale - offset; rates per unit of x take scale to time
+//   sample(segment, x, q)      orientation
+//   sample_rates(segment, x, rates)
+//                              rates in the body frame, per unit of x
+#pragma once
+
+#include "motion.hpp"
+#include "qtraj/segment.hpp"
+
+namespace qtraj {
+namespace {
+
+struct EvaluatorDefaults {
+  // What float samples are worked out in.
+  template <class Real>
+  using Working = Real;
+
+  // Whether the offset is the second field of the segment, rather than 1. The scale is the first.
+  static constexpr bool kHasOffset = false;
+
+  template <class Segment>
+  static double scale(const Segment& segment) {
+    return segment.scale;
+  }
+  template <class Segment>
+  static double offset(const Segment&) {
+    return 1.0;
+  }
+};
+
+// In double for float samples too: the difference of times and the scale may lie outside the range of float.
+template <class Arithmetic, class Number>
+Number parameter(Number elapsed, Number scale, Number offset) {
+  return Arithmetic::multiply_add(elapsed, scale, -offset);
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,90 @@
+// Rows of samples, and rates in time and in the frame asked for.
+#pragma once
+
+#include "motion.hpp"
+#include "times.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Real>
+struct Row {
+  Real q[4], omega[3], alpha[3];
+};
+
+template <class Real, size_t Size>
+void write(const Real (&from)[Size], Real* to, size_t row) {
+  if (!to) return;
+  for (size_t k = 0; k < Size; ++k) to[Size * row + k] = from[k];
+}
+
+template <class Real>
+void write_row(const Row<Real>& from, const SampleOutputs<Real>& outputs, size_t row) {
+  write(from.q, outputs.q, row);
+  write(from.omega, outputs.omega, row);
+  write(from.alpha, outputs.alpha, row);
+}
+
+template <class Real>
+Row<Real> nan_row() {
+  constexpr Real kNaN = static_cast<Real>(__builtin_nan(""));
+  return {{kNaN, kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+}
+
+template <class Real>
+constexpr double largest_of() {
+  return sizeof(Real) == sizeof(double) ? kLargest : 0x1.fffffep+127;
+}
+
+// value * factor, false instead of an overflow of the product or of its rounding to Real.
+template <class Real>
+bool scaled(double value, double factor, double& product) {
+  constexpr double kSafe = 0x1p500;
+  if ((magnitude(value) > kSafe || factor > kSafe) && factor > 1 && magnitude(value) > kLargest / factor) return false;
+  product = value * factor;
+  return magnitude(product) <= largest_of<Real>();
+}
+
+// Which rates a call asked for: an overflow of the others is none of its business.
+struct Wanted {
+  Frame frame;
+  bool omega, alpha;
+};
+
+// Body rates in units of a segment to rates in time and in the frame asked for; false where one that is wanted
+// overflows.
+template <class Arithmetic, class Real, class Work>
+bool finish_rates(const Work (&q)[4], Rates<Work>& rates, double scale, const Wanted& wanted, Row<Real>& row) {
+  if (wanted.frame == Frame::world) {
+    rotate_to_world<Arithmetic>(q, rates.omega);
+    rotate_to_world<Arithmetic>(q, rates.alpha);
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    double value;
+    if (wanted.omega) {
+      if (!scaled<Real>(static_cast<double>(rates.omega[k]), scale, value)) return false;
+      row.omega[k] = static_cast<Real>(value);
+    }
+    if (wanted.alpha) {
+      if (!scaled<double>(static_cast<double>(rates.alpha[k]), scale, value)) return false;
+      if (!scaled<Real>(value, scale, value)) return false;
+      row.alpha[k] = static_cast<Real>(value);
+    }
+  }
+  return true;
+}
+
+// Copies the constant rate of an extrapolated turn; false where it is past the range of Real.
+template <class Real>
+bool extrapolated_rates(const double (&omega)[3], const Wanted& wanted, Row<Real>& row) {
+  for (size_t k = 0; k < 3; ++k) {
+    row.alpha[k] = 0;
+    if (!wanted.omega) continue;
+    if (magnitude(omega[k]) > largest_of<Real>()) return false;
+    row.omega[k] = static_cast<Real>(omega[k]);
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,16 @@
+// Compiled for x86-64 with SSE4.2.
+#include "kernel.hpp"
+
+#if defined(QTRAJ_X86_KERNELS)
+
+#include "batch.hpp"
+
+static_assert(HWY_TARGET == HWY_SSE4, "compiled with the flags of another target");
+
+namespace qtraj {
+
+const Kernel kSse4Kernel = {"sse4 plain", sample_batch<Plain, double>, sample_batch<Plain, float>};
+
+}  // namespace qtraj
+
+#endif
