@@ -85,10 +85,44 @@ QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
   return Wide<double>::of(hn::GatherIndex(Wide<double>::Tag(), from, at));
 }
 
-QTRAJ_INLINE Indices scaled_index(Indices index, size_t factor) {
-  const hn::Repartition<uint32_t, Wide<double>::Tag> narrow;
-  return hn::BitCast(IndexTag(),
-                     hn::MulEven(hn::BitCast(narrow, index), hn::Set(narrow, static_cast<uint32_t>(factor))));
+// Fields first..first + 3 (vectors of two lanes: + 1) of one record for each lane: rows are loaded and transposed,
+// which is several times faster than to gather field by field.
+constexpr size_t kTransposed = HWY_LANES(double) < 4 ? 2 : 4;
+
+QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(double)], size_t first,
+                                  Wide<double>* fields) {
+  const Wide<double>::Tag tag;
+#if HWY_MAX_BYTES == 16
+  const auto row0 = hn::LoadU(tag, records[0] + first), row1 = hn::LoadU(tag, records[1] + first);
+  fields[0].lanes = hn::InterleaveLower(tag, row0, row1);
+  fields[1].lanes = hn::InterleaveUpper(tag, row0, row1);
+#else
+#if HWY_MAX_BYTES == 32
+  const auto row = [&](size_t lane) { return hn::LoadU(tag, records[lane] + first); };
+#else
+  const hn::Half<Wide<double>::Tag> half;
+  const auto row = [&](size_t lane) {
+    return hn::Combine(tag, hn::LoadU(half, records[lane + 4] + first), hn::LoadU(half, records[lane] + first));
+  };
+#endif
+  // blocks of two lanes: [f0 of 0, 1][f2 of 0, 1] ...
+  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+  const auto even01 = hn::InterleaveLower(tag, row0, row1), odd01 = hn::InterleaveUpper(tag, row0, row1);
+  const auto even23 = hn::InterleaveLower(tag, row2, row3), odd23 = hn::InterleaveUpper(tag, row2, row3);
+  fields[0].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(even23), even01);
+  fields[1].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd23), odd01);
+  fields[2].lanes = hn::OddEvenBlocks(even23, hn::SwapAdjacentBlocks(even01));
+  fields[3].lanes = hn::OddEvenBlocks(odd23, hn::SwapAdjacentBlocks(odd01));
+#endif
+}
+
+// All fields; the last group may overlap the one before, so that nothing past a record is read.
+template <size_t Fields>
+QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)], Wide<double> (&fields)[Fields]) {
+  for (size_t first = 0; first + kTransposed <= Fields; first += kTransposed)
+    load_transposed(records, first, fields + first);
+  if constexpr (Fields % kTransposed != 0)
+    load_transposed(records, Fields - kTransposed, fields + Fields - kTransposed);
 }
 
 // Segments of times within the knots, by the guide.
@@ -125,8 +159,7 @@ class Batch {
     Outcome outcome = {Status::ok, kNoIndex};
     for (first_row_ = 0; first_row_ < count_; first_row_ += kChunk) {
       const size_t rows = count_ - first_row_ < kChunk ? count_ - first_row_ : kChunk;
-      read_times(rows);
-      const bool all_inside = clamp_times(rows);
+      const bool all_inside = read_times(rows);
       again_ = false;
       sample_chunk(rows, cursor);
       if (!all_inside || again_) sample_again(rows, cursor, outcome);
@@ -144,40 +177,52 @@ class Batch {
 
   // ---- Times ----
 
-  void read_times(size_t rows) {
-    if (source_.source().array) {
-      std::memcpy(times_, source_.source().array + first_row_, rows * sizeof(double));
-    } else if (source_.is_plain_uniform()) {
-      const Time start(source_.source().start), step(source_.source().step);
-      const Time first(static_cast<double>(first_row_));
-      for (size_t i = 0; i < rows; i += kTimeLanes) {
-        const Time row = first + Time::of(hn::Iota(Time::Tag(), static_cast<double>(i)));
-        (start + row * step).store(times_ + i);
-      }
-    } else {
+  // Fills times_: those outside the knots, or not finite, become the first knot. Whether there were none.
+  bool read_times(size_t rows) {
+    const double* from = source_.source().array;
+    if (from)
+      from += first_row_;
+    else
+      generate_times(rows);
+
+    WideMask<double> all_inside = Time(0.0) <= Time(0.0);
+    size_t i = 0;
+    for (; i + kTimeLanes <= rows; i += kTimeLanes)
+      all_inside = all_inside & clamp_times(Time::load(from ? from + i : times_ + i), times_ + i);
+    if (i < rows) {
+      double rest[kTimeLanes];
+      for (size_t k = 0; k < kTimeLanes; ++k)
+        rest[k] = i + k >= rows ? index_.knots[0] : from ? from[i + k] : times_[i + k];
+      all_inside = all_inside & clamp_times(Time::load(rest), times_ + i);
+    }
+    for (size_t k = rows; k < rows + kLanes; ++k) times_[k] = times_[rows - 1];
+    return all(all_inside);
+  }
+
+  void generate_times(size_t rows) {
+    if (!source_.is_plain_uniform()) {
       for (size_t i = 0; i < rows; ++i) times_[i] = source_[first_row_ + i];
+      return;
+    }
+    const Time start(source_.source().start), step(source_.source().step);
+    const Time first(static_cast<double>(first_row_));
+    for (size_t i = 0; i < rows; i += kTimeLanes) {
+      const Time row = first + Time::of(hn::Iota(Time::Tag(), static_cast<double>(i)));
+      (start + row * step).store(times_ + i);
     }
   }
 
-  // Times outside the knots, or not finite, become the first knot; whether there were none. Told by the bits first: a
-  // comparison with NaN would raise FE_INVALID.
-  bool clamp_times(size_t rows) {
+  // Told by the bits first: a comparison with NaN would raise FE_INVALID.
+  QTRAJ_INLINE WideMask<double> clamp_times(Time time, double* to) const {
     const hn::RebindToUnsigned<Time::Tag> bits;
     const auto exponent = hn::Set(bits, 0x7ff0000000000000u);
     const Time first(index_.knots[0]), last(index_.knots[index_.segments]);
-    for (size_t i = rows; i < rows + kLanes; ++i) times_[i] = index_.knots[0];
-    WideMask<double> all_inside = first <= first;
-    for (size_t i = 0; i < rows; i += kTimeLanes) {
-      const Time time = Time::load(times_ + i);
-      const auto exponent_full = hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent);
-      const WideMask<double> is_finite = {hn::Not(hn::RebindMask(Time::Tag(), exponent_full))};
-      const Time finite = select(is_finite, time, first);
-      const WideMask<double> inside = is_finite & (first <= finite) & (finite <= last);
-      all_inside = all_inside & inside;
-      select(inside, finite, first).store(times_ + i);
-    }
-    for (size_t i = rows; i < rows + kLanes; ++i) times_[i] = times_[rows - 1];
-    return all(all_inside);
+    const auto has_full_exponent = hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent);
+    const WideMask<double> is_finite = {hn::Not(hn::RebindMask(Time::Tag(), has_full_exponent))};
+    const Time finite = select(is_finite, time, first);
+    const WideMask<double> inside = is_finite & (first <= finite) & (finite <= last);
+    select(inside, finite, first).store(to);
+    return inside;
   }
 
   bool is_sorted(size_t rows) const {
@@ -241,23 +286,27 @@ class Batch {
     }
   }
 
+  // Segments of all times first: their searches then overlap, as each waits for memory.
   void sample_staged(size_t rows) {
+    for (size_t i = 0; i < rows + kLanes - kTimeLanes; i += kTimeLanes)
+      hn::StoreU(find_segments(index_, Time::load(times_ + i)), IndexTag(), found_ + i);
     for (size_t i = 0; i < rows; i += kLanes) {
+      Time fields[Doubles<Real>::kParts][kFields];
       Doubles<Real> x, scales;
-      Indices at[Doubles<Real>::kParts];
       for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-        const Time time = Time::load(times_ + i + part * kTimeLanes);
-        const Indices segment = find_segments(index_, time);
-        at[part] = scaled_index(segment, kFields);
-        const auto field = [&](size_t k) { return gather(reinterpret_cast<const double*>(segments_) + k, at[part]); };
-        scales.part[part] = field(0);
-        const Time offset = Evaluator::kHasOffset ? field(1) : Time(1.0);
-        x.part[part] = parameter<Arithmetic>(time - gather(index_.knots, segment), scales.part[part], offset);
+        const size_t at = i + part * kTimeLanes;
+        const double* records[kTimeLanes];
+        for (size_t lane = 0; lane < kTimeLanes; ++lane)
+          records[lane] = reinterpret_cast<const double*>(segments_ + found_[at + lane]);
+        load_records(records, fields[part]);
+        scales.part[part] = fields[part][0];
+        const Time offset = Evaluator::kHasOffset ? fields[part][1] : Time(1.0);
+        const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
+        x.part[part] = parameter<Arithmetic>(Time::load(times_ + at) - knot, scales.part[part], offset);
       }
       const WideSegment wide = read_segment<WideSegment, Number>([&](size_t k) {
         Doubles<Real> field;
-        for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
-          field.part[part] = gather(reinterpret_cast<const double*>(segments_) + k, at[part]);
+        for (size_t part = 0; part < Doubles<Real>::kParts; ++part) field.part[part] = fields[part][k];
         return field.rounded();
       });
       sample_lanes(wide, x.rounded(), scales, i, rows);
@@ -313,6 +362,7 @@ class Batch {
   bool again_ = false;  // some row of the chunk is marked
   bool marked_[kChunk];
   double times_[kChunk + kLanes + 1];  // of the chunk, clamped
+  int64_t found_[kChunk + kLanes];     // segments of the times
 };
 
 template <class Arithmetic, class Real>

@@ -36,24 +36,22 @@ const Kernel& best_kernel() {
   return kScalarKernel;
 }
 
-// Only tests write it, before they sample.
-std::atomic<const Kernel*> forced_kernel{nullptr};
+// The kernel in use; null until it is first asked for. All threads that find it null choose the same.
+std::atomic<const Kernel*> chosen_kernel{nullptr};
 
 }  // namespace
 
 const Kernel& kernel() {
-  const Kernel* forced = forced_kernel.load(std::memory_order_relaxed);
-  return forced ? *forced : best_kernel();
+  const Kernel* chosen = chosen_kernel.load(std::memory_order_relaxed);
+  if (!chosen) chosen_kernel.store(chosen = &best_kernel(), std::memory_order_relaxed);
+  return *chosen;
 }
 
 bool force_kernel(const char* target) {
-  if (!target) {
-    forced_kernel.store(nullptr, std::memory_order_relaxed);
-    return true;
-  }
   for (const Candidate& candidate : kCandidates) {
-    if (std::strcmp(candidate.kernel->target, target) != 0 || !candidate.runs_here()) continue;
-    forced_kernel.store(candidate.kernel, std::memory_order_relaxed);
+    if (target && std::strcmp(candidate.kernel->target, target) != 0) continue;
+    if (!candidate.runs_here()) continue;
+    chosen_kernel.store(candidate.kernel, std::memory_order_relaxed);
     return true;
   }
   return false;
