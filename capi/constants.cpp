@@ -27,6 +27,7 @@ static_assert(same(Reference::standard, QTRAJ_REFERENCE_DEFAULT) && same(Referen
 static_assert(same(Extrapolate::error, QTRAJ_EXTRAPOLATE_ERROR) && same(Extrapolate::hold, QTRAJ_EXTRAPOLATE_HOLD) &&
               same(Extrapolate::constant_rate, QTRAJ_EXTRAPOLATE_CONSTANT_RATE) &&
               same(Extrapolate::periodic, QTRAJ_EXTRAPOLATE_PERIODIC));
+static_assert(same(Path::shortest, QTRAJ_PATH_SHORTEST) && same(Path::as_given, QTRAJ_PATH_AS_GIVEN));
 
 }  // namespace
 }  // namespace qtraj

@@ -31,8 +31,12 @@ qtraj_status to_c(Status status) {
       return QTRAJ_E_TIME_ORDER;
     case Status::time_range:
       return QTRAJ_E_TIME_RANGE;
+    case Status::negative_weight:
+      return QTRAJ_E_NEGATIVE_WEIGHT;
     case Status::not_closed:
       return QTRAJ_E_NOT_CLOSED;
+    case Status::not_rotation:
+      return QTRAJ_E_NOT_ROTATION;
     case Status::ambiguous:
       return QTRAJ_E_AMBIGUOUS;
     case Status::no_convergence:

@@ -1,8 +1,10 @@
 #include "qtraj/quaternion.hpp"
 
 #include <cfloat>
+#include <cstdint>
+#include <cstring>
 
-#include "qtraj/error_free.hpp"
+#include "qtraj/precise.hpp"
 
 namespace qtraj {
 
@@ -28,21 +30,22 @@ double scale_for(double largest) {
   return 1.0;
 }
 
+Quaternion scaled_to_one(const Quaternion& q) {
+  const Quaternion scaled = scale_for(largest_component(q)) * q;
+  // the power of two from the exponent's bits, whose bias is 1023
+  const double largest = largest_component(scaled);
+  uint64_t bits;
+  std::memcpy(&bits, &largest, sizeof bits);
+  bits = (2046 - (bits >> 52)) << 52;
+  double scale;
+  std::memcpy(&scale, &bits, sizeof scale);
+  return scale * scaled;
+}
+
 Normalized normalize(const Quaternion& q) {
   const double scale = scale_for(largest_component(q));
   const Quaternion scaled = scale * q;
-
-  // |scaled|^2 = square.value + square.error
-  Exact square = two_product(scaled[0], scaled[0]);
-  for (int k = 1; k < 4; ++k) {
-    const Exact product = two_product(scaled[k], scaled[k]);
-    const Exact sum = two_sum(square.value, product.value);
-    square = {sum.value, square.error + (product.error + sum.error)};
-  }
-  // |scaled| = norm + norm_error, one Newton step for the second part
-  const double norm = std::sqrt(square.value);
-  const Exact norm_squared = two_product(norm, norm);
-  const double norm_error = ((square.value - norm_squared.value) - norm_squared.error + square.error) / (2.0 * norm);
+  const auto [norm, norm_error] = precise_length(scaled);
 
   Normalized result;
   for (int k = 0; k < 4; ++k) {
@@ -53,6 +56,7 @@ Normalized normalize(const Quaternion& q) {
   }
   const bool overflows = scale < 1.0 && norm > DBL_MAX * 0x1p-600;
   result.norm = overflows ? DBL_MAX : norm / scale;
+  result.norm_error = overflows ? 0 : norm_error / scale;
   return result;
 }
 

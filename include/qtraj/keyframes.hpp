@@ -1,40 +1,11 @@
 // The door for keyframes: caller's arrays are checked, normalised and made sign-continuous, once.
 #pragma once
 
-#include "qtraj/floating.hpp"
 #include "qtraj/quaternion.hpp"
+#include "qtraj/rows.hpp"
 #include "qtraj/status.hpp"
 
 namespace qtraj {
-
-// Rows of `Width` float or double in the caller's memory, any alignment of their element; read as double.
-template <int Width>
-struct Rows {
-  using Row = Eigen::Matrix<double, Width, 1>;
-
-  const void* data;
-  bool single;
-
-  // Told by the bits in memory: converting a signalling NaN would raise FE_INVALID.
-  bool is_finite(size_t row) const {
-    for (size_t at = row * Width; at < (row + 1) * Width; ++at) {
-      if (single ? !qtraj::is_finite(static_cast<const float*>(data)[at])
-                 : !qtraj::is_finite(static_cast<const double*>(data)[at]))
-        return false;
-    }
-    return true;
-  }
-
-  Row operator[](size_t row) const {
-    Row values;
-    for (int k = 0; k < Width; ++k) {
-      const size_t at = row * Width + static_cast<size_t>(k);
-      values[k] =
-          single ? static_cast<double>(static_cast<const float*>(data)[at]) : static_cast<const double*>(data)[at];
-    }
-    return values;
-  }
-};
 
 // Keyframes as the caller passed them; omega and alpha data may be null. The pointers to data are checked.
 struct KeyframeInput {

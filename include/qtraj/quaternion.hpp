@@ -60,6 +60,9 @@ double largest_component(const Vector& a) {
   return largest;
 }
 
+// q times a power of two, its largest component then in [1, 2). Finite q != 0.
+Quaternion scaled_to_one(const Quaternion& q);
+
 // A unit quaternion to twice the digits of double: value + error. Differences of neighbouring keys keep full relative
 // accuracy at every angle, down to steps far below the rounding of the keys.
 struct UnitQuaternion {
@@ -67,7 +70,8 @@ struct UnitQuaternion {
 };
 struct Normalized {
   UnitQuaternion unit;
-  double norm;  // of the input; DBL_MAX where it would overflow
+  double norm;        // of the input; DBL_MAX where it would overflow
+  double norm_error;  // what its rounding left
 };
 
 // q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30, |error| below 1 eps.
@@ -79,6 +83,8 @@ inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {
 inline Quaternion sum(const UnitQuaternion& a, const UnitQuaternion& b) {
   return (a.value + b.value) + (a.error + b.error);
 }
+// The nearest double of each component, where value may be an ulp or two off.
+inline Quaternion rounded(const UnitQuaternion& q) { return q.value + q.error; }
 inline UnitQuaternion negate(const UnitQuaternion& q) { return {-q.value, -q.error}; }
 
 }  // namespace qtraj

@@ -29,5 +29,6 @@ enum class End : int32_t {
 enum class Tangent : int32_t { standard = 0, catmull_rom = 1, mean_velocity = 2, given = 3 };
 enum class Reference : int32_t { standard = 0, first = 1, mean = 2, given = 3 };
 enum class Extrapolate : int32_t { error = 0, hold = 1, constant_rate = 2, periodic = 3 };
+enum class Path : int32_t { shortest = 1, as_given = 2 };
 
 }  // namespace qtraj

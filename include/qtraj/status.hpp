@@ -19,7 +19,9 @@ enum class Status {
   zero_norm,
   time_order,
   time_range,
+  negative_weight,
   not_closed,
+  not_rotation,
   ambiguous,
   no_convergence,
 };
