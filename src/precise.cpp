@@ -1,0 +1,80 @@
+#include "qtraj/precise.hpp"
+
+#include "kernel/coefficients.hpp"
+
+namespace qtraj {
+
+Exact precise_length(const Quaternion& a) {
+  // |a|^2 = square.value + square.error
+  Exact square = two_product(a[0], a[0]);
+  for (int k = 1; k < 4; ++k) {
+    const Exact product = two_product(a[k], a[k]);
+    const Exact sum = two_sum(square.value, product.value);
+    square = {sum.value, square.error + (product.error + sum.error)};
+  }
+  // one Newton step for the second part
+  const double length = std::sqrt(square.value);
+  if (length == 0) return {0, 0};
+  const Exact length_squared = two_product(length, length);
+  return {length, ((square.value - length_squared.value) - length_squared.error + square.error) / (2.0 * length)};
+}
+
+namespace {
+
+// atan(x) - x for |x| <= tan(pi/8), with the polynomial of atan2.
+double arctangent_tail(double x) {
+  const double y = x * x;
+  constexpr int kTerms = sizeof AtanRatio::kDouble / sizeof AtanRatio::kDouble[0];
+  double sum = AtanRatio::kDouble[kTerms - 1];
+  for (int k = kTerms - 2; k >= 1; --k) sum = sum * y + AtanRatio::kDouble[k];
+  return x * (sum * y);
+}
+
+Exact negate(const Exact& a) { return {-a.value, -a.error}; }
+
+Exact add(const Exact& a, const Exact& b) {
+  const Exact sum = two_sum(a.value, b.value);
+  return {sum.value, sum.error + (a.error + b.error)};
+}
+
+Exact divide(const Exact& a, const Exact& b) {
+  const double ratio = a.value / b.value;
+  const Exact product = two_product(ratio, b.value);
+  return {ratio, (((a.value - product.value) - product.error) + (a.error - ratio * b.error)) / b.value};
+}
+
+}  // namespace
+
+Exact precise_atan2(const Exact& y, const Exact& x) {
+  const Exact ax = x.value < 0 ? negate(x) : x;
+  const bool steep = y.value > ax.value;
+  const Exact &largest = steep ? y : ax, &least = steep ? ax : y;
+  if (largest.value == 0) return {0, 0};
+
+  // the angle is eighths pi/4 + sign atan(ratio), |ratio| <= tan(pi/8)
+  constexpr double kTanEighthPi = 0.41421356237309503;
+  const bool wide = least.value > kTanEighthPi * largest.value;
+  const Exact ratio = wide ? divide(add(least, negate(largest)), add(least, largest)) : divide(least, largest);
+  int eighths = wide ? 1 : 0;
+  double sign = 1;
+  if (steep) eighths = 2 - eighths, sign = -sign;
+  if (x.value < 0) eighths = 4 - eighths, sign = -sign;
+
+  // multiples of pi/4 and what their rounding left
+  constexpr Exact kEighths[] = {{0, 0},
+                                {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
+                                {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},
+                                {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},
+                                {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}};
+  const double tail = arctangent_tail(ratio.value) + ratio.error / (1.0 + ratio.value * ratio.value);
+  const Exact sum = add(kEighths[eighths], {sign * ratio.value, sign * tail});
+  return two_sum(sum.value, sum.error);
+}
+
+SinCos sin_cos(const Exact& angle) {
+  if (std::abs(angle.value) > 0x1p26) return sin_cos(angle.value + angle.error);
+  const SinCos at = sin_cos(angle.value);
+  return {at.sin + at.cos * angle.error, at.cos - at.sin * angle.error};
+}
+
+}  // namespace qtraj

@@ -1,0 +1,155 @@
+// Rotation matrices both ways: error bounds on a million rows, every branch, and what is no rotation.
+#include <qtraj.h>
+
+#include "support/catch.hpp"
+#include "support/hard_rows.hpp"
+
+namespace {
+
+using namespace test;
+
+using Matrix = std::array<wide::Real, 9>;  // row-major
+
+// Of a unit quaternion, by squares where the library takes differences from 1.
+Matrix reference_matrix(const wide::Quaternion& q) {
+  const wide::Real w = q[0], x = q[1], y = q[2], z = q[3];
+  return {w * w + x * x - y * y - z * z, 2 * (x * y - w * z),           2 * (x * z + w * y),
+          2 * (x * y + w * z),           w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+          2 * (x * z - w * y),           2 * (y * z + w * x),           w * w - x * x - y * y + z * z};
+}
+
+// The quaternion of the rotation nearest to m: the top eigenvector of I. Bar-Itzhack's matrix (J. Guidance 23 (2000),
+// 1085), by power iteration. Its other eigenvalues are within a few 1e-3 of -1: with 1 added they die out at once.
+wide::Quaternion nearest_orientation(const double* m) {
+  using wide::Real;
+  const Real xx = m[0], xy = m[1], xz = m[2], yx = m[3], yy = m[4], yz = m[5], zx = m[6], zy = m[7], zz = m[8];
+  const Real k[4][4] = {{1 + xx + yy + zz, zy - yz, xz - zx, yx - xy},
+                        {zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx},
+                        {xz - zx, xy + yx, 1 - xx + yy - zz, yz + zy},
+                        {yx - xy, xz + zx, yz + zy, 1 - xx - yy + zz}};
+  size_t start = 0;
+  for (size_t i = 1; i < 4; ++i)
+    if (k[i][i] > k[start][start]) start = i;
+  wide::Quaternion q = {k[0][start], k[1][start], k[2][start], k[3][start]};
+  for (int step = 0; step < 6; ++step) {
+    wide::Quaternion next;
+    for (size_t i = 0; i < 4; ++i)
+      next[i] = 0.25L * (k[i][0] * q[0] + k[i][1] * q[1] + k[i][2] * q[2] + k[i][3] * q[3]);
+    q = next;
+  }
+  return wide::scaled(q[0] < 0 ? -1 : 1, wide::normalized(q));
+}
+
+// Of q and -q the nearer to the reference, for w at rounding of 0.
+double error_up_to_sign(const double* q, const wide::Quaternion& reference) {
+  return std::min(wide::error(q, reference), wide::error(q, wide::scaled(-1, reference)));
+}
+
+TEST_CASE("C API: matrices of quaternions are within 3 eps, and quaternions of those within 1 eps", "[capi][matrix]") {
+  const std::vector<double>& q = hard_quaternions();
+  std::vector<double> matrix(9 * kHardRows), back(4 * kHardRows);
+  REQUIRE(qtraj_matrix_from_q(q.data(), kHardRows, matrix.data(), nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_q_from_matrix(matrix.data(), kHardRows, back.data(), nullptr) == QTRAJ_OK);
+  Worst worst, worst_back, worst_round_trip;
+  size_t wrong_sign = 0;
+  for (size_t row = 0; row < kHardRows; ++row) {
+    const wide::Quaternion unit = wide::normalized(wide::quaternion(&q[4 * row]));
+    worst.add(row, wide::error(&matrix[9 * row], reference_matrix(unit)), 3 * kEps);
+    worst_back.add(row, error_up_to_sign(&back[4 * row], nearest_orientation(&matrix[9 * row])), kEps);
+    worst_round_trip.add(row, error_up_to_sign(&back[4 * row], unit), 1.5 * kEps);
+    wrong_sign += !(back[4 * row] >= 0);
+  }
+  CHECK(worst.ratio <= 1);
+  CHECK(worst_back.ratio <= 1);
+  CHECK(worst_round_trip.ratio <= 1);
+  CHECK(wrong_sign == 0);
+}
+
+TEST_CASE("C API: a matrix slightly off gives the nearest rotation, within 1 eps", "[capi][matrix]") {
+  const HardRows hard(41, 0);
+  Random random(42);
+  constexpr size_t kRows = 200000;
+  std::vector<double> matrix, q(4 * kRows);
+  matrix.reserve(9 * kRows);
+  for (size_t row = 0; row < kRows; ++row) {
+    const Matrix exact = reference_matrix(wide::normalized(wide::quaternion(hard.unit(row).data())));
+    // noise of up to 1e-3 in the root of the sum of squares
+    const double size = std::pow(10.0, random.uniform(-16, -3)) / 3;
+    for (const wide::Real element : exact)
+      matrix.push_back(static_cast<double>(element) + size * random.uniform(-1, 1));
+  }
+  REQUIRE(qtraj_q_from_matrix(matrix.data(), kRows, q.data(), nullptr) == QTRAJ_OK);
+  Worst worst;
+  for (size_t row = 0; row < kRows; ++row)
+    worst.add(row, error_up_to_sign(&q[4 * row], nearest_orientation(&matrix[9 * row])), kEps);
+  CHECK(worst.ratio <= 1);
+}
+
+TEST_CASE("C API: exact rotations by quarter and third turns give exact quaternions", "[capi][matrix][singular]") {
+  // all 24 rotations of the cube: signed permutations of determinant 1
+  const int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  int rotations = 0;
+  for (int p = 0; p < 6; ++p)
+    for (int signs = 0; signs < 8; ++signs) {
+      double matrix[9] = {}, back[9], q[4] = {7, 7, 7, 7};
+      int determinant = p < 3 ? 1 : -1;
+      for (int row = 0; row < 3; ++row) {
+        const int sign = signs >> row & 1 ? -1 : 1;
+        determinant *= sign;
+        matrix[3 * row + permutations[p][row]] = sign;
+      }
+      size_t fault = 7;
+      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, q, &fault);
+      CAPTURE(p, signs);
+      if (determinant < 0) {
+        CHECK(status == QTRAJ_E_NOT_ROTATION);
+        CHECK(fault == 0);
+        CHECK((std::isnan(q[0]) && std::isnan(q[3])));
+        continue;
+      }
+      ++rotations;
+      CHECK(status == QTRAJ_OK);
+      const double root = std::sqrt(0.5);
+      for (const double component : q)
+        CHECK((component == 0 || std::abs(component) == 0.5 || std::abs(component) == 1 ||
+               std::abs(std::abs(component) - root) <= kEps));
+      if (q[0] == 0) CHECK(*std::max_element(q, q + 4) > 0.7);
+      REQUIRE(qtraj_matrix_from_q(q, 1, back, nullptr) == QTRAJ_OK);
+      for (int k = 0; k < 9; ++k) CHECK(std::abs(back[k] - matrix[k]) <= 2 * kEps);
+    }
+  CHECK(rotations == 24);
+}
+
+TEST_CASE("C API: matrices more than 1e-3 from a rotation are NOT_ROTATION", "[capi][matrix][errors]") {
+  Random random(43);
+  for (int i = 0; i < 2000; ++i) {
+    double rotation[9], matrix[9], q[4];
+    REQUIRE(qtraj_matrix_from_q(hard_orientation(random).data(), 1, rotation, nullptr) == QTRAJ_OK);
+    const auto status_of = [&](auto&& element) {
+      for (int k = 0; k < 9; ++k) matrix[k] = element(k);
+      size_t fault = 7;
+      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, q, &fault);
+      CHECK(fault == (status == QTRAJ_OK ? SIZE_MAX : 0));
+      CHECK(std::isnan(q[0]) == (status != QTRAJ_OK));
+      return status;
+    };
+    // a stretch: its distance is the stretch times the root of 3, or, along one axis, the stretch
+    const double root3 = std::sqrt(3.0);
+    for (const double sign : {1.0, -1.0}) {
+      CHECK(status_of([&](int k) { return rotation[k] * (1 + sign * 0.999e-3 / root3); }) == QTRAJ_OK);
+      CHECK(status_of([&](int k) { return rotation[k] * (1 + sign * 1.001e-3 / root3); }) == QTRAJ_E_NOT_ROTATION);
+      CHECK(status_of([&](int k) { return rotation[k] * (k % 3 == i % 3 ? 1 + sign * 0.999e-3 : 1); }) == QTRAJ_OK);
+      CHECK(status_of([&](int k) { return rotation[k] * (k % 3 == i % 3 ? 1 + sign * 1.001e-3 : 1); }) ==
+            QTRAJ_E_NOT_ROTATION);
+    }
+    CHECK(status_of([&](int k) { return -rotation[k]; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int k) { return 2 * rotation[k]; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int k) { return rotation[k] / 2; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int k) { return k == i % 9 ? 1e200 : rotation[k]; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int) { return 0.0; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int) { return 5e-324; }) == QTRAJ_E_NOT_ROTATION);
+    CHECK(status_of([&](int) { return DBL_MAX; }) == QTRAJ_E_NOT_ROTATION);
+  }
+}
+
+}  // namespace
