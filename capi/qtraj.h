@@ -111,6 +111,7 @@ enum qtraj_extrapolate_value {
   QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 2, /* geodesic with the end rate, zero acceleration */
   QTRAJ_EXTRAPOLATE_PERIODIC = 3       /* time wrapped; both sides or none */
 };
+enum qtraj_path_value { QTRAJ_PATH_SHORTEST = 1, QTRAJ_PATH_AS_GIVEN = 2 };
 
 /* Room for an options object in the caller's memory; holds for every library of the same SONAME. */
 #define QTRAJ_OPTIONS_BYTES 512
@@ -201,6 +202,9 @@ QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, 
                                             double* q_out, size_t* bad_index);
 QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
                                                 size_t count, float* q_out, size_t* bad_index);
+/* times_out [count] evenly from first to last, both exact and never past last (start + i * step may be): feed it to any
+ * sampler. TIME_ORDER where last < first. */
+QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out);
 /* One time, for control loops. cursor: any value, 0 to begin; a hint kept by the caller, never changes the result; may
  * be NULL. */
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
@@ -253,6 +257,156 @@ QTRAJ_API qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, doub
 QTRAJ_API qtraj_status qtraj_energy(const qtraj_trajectory* trajectory, double* energy);
 /* Integral of |omega|, rad. */
 QTRAJ_API qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, double* angle);
+
+/* ---- Pairs: inputs of any norm but 0; any real fraction ---- */
+
+/* q_out [count][4] on the arc from a [4], fraction 0, to b [4], fraction 1. SHORTEST: to b or -b, whichever is nearer
+ * (half a turn apart: b). AS_GIVEN with b = -a: AMBIGUOUS, a turn of the body about its x axis. A fault of a or b is
+ * one of every row. */
+QTRAJ_API qtraj_status qtraj_slerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
+                                   double* q_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_slerp_f32(const float* a, const float* b, const float* fraction, size_t count,
+                                       int32_t path, float* q_out, size_t* bad_index);
+/* Pair by pair: a, b [count][4], fraction [fraction_count], 1 or count. */
+QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const double* fraction,
+                                         size_t fraction_count, size_t count, int32_t path, double* q_out,
+                                         size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, const float* fraction,
+                                             size_t fraction_count, size_t count, int32_t path, float* q_out,
+                                             size_t* bad_index);
+/* Normalised linear interpolation of one pair; ZERO_NORM where the chord passes through 0, |p| < 1e-14. */
+QTRAJ_API qtraj_status qtraj_nlerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
+                                   double* q_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_nlerp_f32(const float* a, const float* b, const float* fraction, size_t count,
+                                       int32_t path, float* q_out, size_t* bad_index);
+/* Pair by pair. */
+QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const double* fraction,
+                                         size_t fraction_count, size_t count, int32_t path, double* q_out,
+                                         size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, const float* fraction,
+                                             size_t fraction_count, size_t count, int32_t path, float* q_out,
+                                             size_t* bad_index);
+/* Slerp from a at time_a to b at time_b, sampled at times [count], outside too. */
+QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b, double time_b,
+                                           const double* times, size_t count, int32_t path, double* q_out,
+                                           size_t* bad_index);
+/* Controls a_i, b_i of keys [count][4], CATMULL_ROM, CHORD ends; signs as given (qtraj_make_continuous first); times
+ * NULL: uniform; a of the last and b of the first key are that key. */
+QTRAJ_API qtraj_status qtraj_squad_controls(const double* times, const double* q_wb, size_t count, double* a_out,
+                                            double* b_out, size_t* bad_index);
+/* One segment q0 -> q1 with controls a (of q0) and b (of q1), each [4], arcs as given, at fraction [count]. */
+QTRAJ_API qtraj_status qtraj_squad_segment(const double* q0, const double* q1, const double* a, const double* b,
+                                           const double* fraction, size_t count, double* q_out, size_t* bad_index);
+
+/* ---- Keys: in place allowed ---- */
+
+/* Unit quaternions, signs kept. */
+QTRAJ_API qtraj_status qtraj_normalize(const double* q, size_t count, double* q_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_normalize_f32(const float* q, size_t count, float* q_out, size_t* bad_index);
+/* Signs such that <q_{i-1}, q_i> >= 0 along each series of [series][length][4], norms kept; flips (nullable): how many
+ * were changed. */
+QTRAJ_API qtraj_status qtraj_make_continuous(const double* q, size_t series, size_t length, double* q_out,
+                                             size_t* flips, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_make_continuous_f32(const float* q, size_t series, size_t length, float* q_out,
+                                                 size_t* flips, size_t* bad_index);
+/* Component order x y z w -> w x y z; values are only moved. */
+QTRAJ_API qtraj_status qtraj_wxyz_from_xyzw(const double* q_xyzw, size_t count, double* q_out);
+QTRAJ_API qtraj_status qtraj_wxyz_from_xyzw_f32(const float* q_xyzw, size_t count, float* q_out);
+/* Component order w x y z -> x y z w; values are only moved. */
+QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz(const double* q, size_t count, double* q_xyzw_out);
+QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz_f32(const float* q, size_t count, float* q_xyzw_out);
+
+/* ---- Algebra: in place where row lengths agree ---- */
+
+/* Hamilton product a b of quaternions as they are (not normalised); a_count, b_count: 1 or count. */
+QTRAJ_API qtraj_status qtraj_multiply(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
+                                      double* q_out, size_t* bad_index);
+/* (w, -x, -y, -z). */
+QTRAJ_API qtraj_status qtraj_conjugate(const double* q, size_t count, double* q_out, size_t* bad_index);
+/* conjugate / norm^2. */
+QTRAJ_API qtraj_status qtraj_inverse(const double* q, size_t count, double* q_out, size_t* bad_index);
+/* Euclidean norm, norm_out [count]. */
+QTRAJ_API qtraj_status qtraj_norm(const double* q, size_t count, double* norm_out, size_t* bad_index);
+/* Dot product in R^4, dot_out [count]. */
+QTRAJ_API qtraj_status qtraj_dot(const double* a, const double* b, size_t count, double* dot_out, size_t* bad_index);
+/* Unit quaternion of a half-angle vector v [count][3]: (cos |v|, v sin |v| / |v|). */
+QTRAJ_API qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, size_t* bad_index);
+/* Half-angle vector [count][3] of q / |q|, |v| in [0, pi]; at q = -1 the x axis, AMBIGUOUS. */
+QTRAJ_API qtraj_status qtraj_log(const double* q, size_t count, double* v_out, size_t* bad_index);
+/* exp(exponent * log(q)), q normalised; exponent_count: 1 or count. */
+QTRAJ_API qtraj_status qtraj_pow(const double* q, const double* exponent, size_t exponent_count, size_t count,
+                                 double* q_out, size_t* bad_index);
+/* World vectors q v q^-1 of body vectors v_body [v_count][3], q_wb [q_count][4]; each count 1 or count. */
+QTRAJ_API qtraj_status qtraj_rotate(const double* q_wb, size_t q_count, const double* v_body, size_t v_count,
+                                    size_t count, double* v_world_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_rotate_f32(const float* q_wb, size_t q_count, const float* v_body, size_t v_count,
+                                        size_t count, float* v_world_out, size_t* bad_index);
+/* Angle on S^3 between a and b, [0, pi]: signs count. */
+QTRAJ_API qtraj_status qtraj_distance(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
+                                      double* angle_out, size_t* bad_index);
+/* Angle of the rotation that takes a to b, [0, pi]: signs do not count. */
+QTRAJ_API qtraj_status qtraj_rotation_angle(const double* a, size_t a_count, const double* b, size_t b_count,
+                                            size_t count, double* angle_out, size_t* bad_index);
+/* Rotation vector [count][3], rad, |r| in [0, pi]; at pi the axis follows the sign of the vector part. */
+QTRAJ_API qtraj_status qtraj_rotation_vector_from_q(const double* q, size_t count, double* r_out, size_t* bad_index);
+/* Unit quaternion of a rotation vector, any length. */
+QTRAJ_API qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t count, double* q_out, size_t* bad_index);
+/* Rotation matrix, row-major [count][9], v_world = M v_body. */
+QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matrix_out, size_t* bad_index);
+/* Unit quaternion, w >= 0, of the matrix. */
+QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index);
+/* q', q'' [count][4] from omega, alpha [count][3] in frame; alpha and ddq_out NULL together. */
+QTRAJ_API qtraj_status qtraj_derivatives_from_rates(const double* q_wb, int32_t frame, const double* omega,
+                                                    const double* alpha, size_t count, double* dq_out, double* ddq_out,
+                                                    size_t* bad_index);
+/* omega, alpha from q', q''; the part along q is ignored; ddq and alpha_out NULL together. */
+QTRAJ_API qtraj_status qtraj_rates_from_derivatives(const double* q_wb, int32_t frame, const double* dq,
+                                                    const double* ddq, size_t count, double* omega_out,
+                                                    double* alpha_out, size_t* bad_index);
+
+/* ---- Means: count >= 1, weights [count] >= 0 or NULL, summed in double; mean_out [4] ---- */
+
+/* Top eigenvector of sum w q q^T, sign of the first sample of weight above 0; eigengap (nullable): (l1 - l2) / trace; a
+ * tie is AMBIGUOUS. */
+QTRAJ_API qtraj_status qtraj_mean_eigen(const double* q, const double* weights, size_t count, double* mean_out,
+                                        double* eigengap, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_mean_eigen_f32(const float* q, const float* weights, size_t count, float* mean_out,
+                                            double* eigengap, size_t* bad_index);
+/* Global minimum of sum w angle^2; AMBIGUOUS (best mean written) where not proven unique. tolerance: rad on S^3, floor
+ * 4 eps, 0 the floor; iterations, residual (nullable): how many, last step. NO_CONVERGENCE leaves the last iterate. */
+QTRAJ_API qtraj_status qtraj_mean_karcher(const double* q, const double* weights, size_t count, double tolerance,
+                                          int32_t max_iterations, double* mean_out, int32_t* iterations,
+                                          double* residual, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weights, size_t count, double tolerance,
+                                              int32_t max_iterations, float* mean_out, int32_t* iterations,
+                                              double* residual, size_t* bad_index);
+
+/* ---- Sample diagnostics: samples of any origin, neighbours sign-folded ---- */
+
+/* Mean rates between neighbours: t_mid_out [count-1] (nullable), omega_out [count-1][3]; count >= 2. */
+QTRAJ_API qtraj_status qtraj_estimate_omega(const double* times, const double* q_wb, size_t count, int32_t frame,
+                                            double* t_mid_out, double* omega_out, size_t* bad_index);
+/* Sum of |w_{k+1} - w_k|^2 / (m_{k+1} - m_k) over the estimated rates w at mid-times m, rad^2/s^3; count >= 3. */
+QTRAJ_API qtraj_status qtraj_smoothness_energy(const double* times, const double* q_wb, size_t count, int32_t frame,
+                                               double* energy, size_t* bad_index);
+/* At each knot: estimated rate of the first sample interval that begins at or after it minus that of the last one that
+ * ends at or before it; where one is missing, NaN and TIME_RANGE. bad_index counts samples, then knots. */
+QTRAJ_API qtraj_status qtraj_velocity_jump(const double* times, const double* q_wb, size_t count, const double* knots,
+                                           size_t knot_count, int32_t frame, double* jump_out, size_t* bad_index);
+/* Rotation angle, rad, of each key to the sample nearest in time (a tie: the earlier), and its index (nullable); sample
+ * times increase. bad_index counts keys, then samples. error_out may not be the array of sample times. */
+QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q, size_t key_count,
+                                             const double* times, const double* q_wb, size_t count, double* error_out,
+                                             size_t* index_out, size_t* bad_index);
+
+/* ---- Spline: double only; allocates working space ---- */
+
+/* C2 cubic through y [count][dim] at x [count]; ends DEFAULT, NATURAL, NOT_A_KNOT or PERIODIC; y_out [query_count][dim]
+ * at queries, outside x NaN and TIME_RANGE; count >= 2. PERIODIC: first and last y equal to 1e-6 of the largest, else
+ * NOT_CLOSED. bad_index counts points, then queries. */
+QTRAJ_API qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start,
+                                          int32_t end, const double* queries, size_t query_count, double* y_out,
+                                          size_t* bad_index);
 
 #ifdef __cplusplus
 }

@@ -3,8 +3,8 @@
 #include "qtraj/arc.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/end_rate.hpp"
-#include "qtraj/knots.hpp"
 #include "qtraj/so3.hpp"
+#include "qtraj/squad_controls.hpp"
 
 namespace qtraj {
 namespace {
@@ -19,31 +19,10 @@ Workspace workspace_of(const Construction& construction) {
   return {rows, rows + construction.keys.count};
 }
 
-// Half rate by the tangent rule from the chords before and after a knot.
-Vector3 rule_half_rate(Tangent rule, const Vector3& log_before, double h_before, const Vector3& log_after,
-                       double h_after) {
-  const Vector3 v_before = log_before / h_before, v_after = log_after / h_after;
-  if (rule == Tangent::mean_velocity) return 0.5 * v_before + 0.5 * v_after;
-  const IntervalShares shares = interval_shares(h_before, h_after);
-  return shares.right * v_before + shares.left * v_after;
-}
-
-// s shortened to the largest factor in [0, 1] with |factor h s - L| <= pi.
-Vector3 limited(const Vector3& s, double h, const Vector3& log) {
-  // x = h s, or, where that is far past any limit, the vector along it whose largest component is 8
-  const double largest = largest_component(s);
-  const bool far = largest > 8.0 / h;
-  const Vector3 x = far ? Vector3((8.0 / largest) * s) : Vector3(h * s);
-  const double xx = dot(x, x), xl = dot(x, log), room = kPi * kPi - dot(log, log);
-  if (!(xx - 2.0 * xl > room)) return s;
-  const double factor = (xl + std::sqrt(xl * xl + xx * room)) / xx;
-  return (factor / h) * x;
-}
-
 // Whether a control at this rate would be 2 pi or more away from its chord.
-bool control_wraps(const Vector3& s, double h, const Vector3& log) {
-  if (largest_component(s) > 16.0 / h) return true;
-  return length(Vector3(h * s - log)) >= 2.0 * kPi;
+bool control_wraps(const Vector3& s, const SquadChord& chord) {
+  if (largest_component(s) > 16.0 / chord.h) return true;
+  return length(Vector3(chord.h * s - chord.log)) >= 2.0 * kPi;
 }
 
 // Half rates of the curve at the keys, by the tangent rule and the end conditions.
@@ -65,7 +44,7 @@ class HalfRates {
   }
 
  private:
-  Vector3 log(size_t segment) const { return load(workspace_.log[segment]); }
+  SquadChord chord(size_t segment) const { return {load(workspace_.log[segment]), keys_.step(segment)}; }
 
   // Segments on both sides of a key; a closed curve goes on with the other end, an open one has none there.
   struct Sides {
@@ -92,17 +71,17 @@ class HalfRates {
     if (end && end->condition != End::periodic)
       s = open_end(*end, key);
     else
-      s = rule_half_rate(options.tangents, log(at.before), keys_.step(at.before), log(at.after), keys_.step(at.after));
-    if (at.has_before) s = limited(s, keys_.step(at.before), log(at.before));
-    if (at.has_after) s = limited(s, keys_.step(at.after), log(at.after));
+      s = rule_half_rate(options.tangents, chord(at.before), chord(at.after));
+    if (at.has_before) s = limited_half_rate(s, chord(at.before));
+    if (at.has_after) s = limited_half_rate(s, chord(at.after));
     return Status::ok;
   }
 
   Vector3 open_end(const EndSetting& end, size_t key) const {
     const Side side = key == 0 ? Side::start : Side::end;
     if (end.condition == End::estimated) return 0.5 * estimated_end_rate(keys_, side, 2, construction_.input.epsilon());
-    const size_t segment = key == 0 ? 0 : key - 1;
-    return log(segment) / keys_.step(segment);
+    const SquadChord at = chord(key == 0 ? 0 : key - 1);
+    return at.log / at.h;
   }
 
   Status given(const Vector3& omega, Frame frame, size_t key, Vector3& s) const {
@@ -110,8 +89,8 @@ class HalfRates {
     if (largest_component(omega) > 0x1p520) return Status::option;
     s = 0.5 * (frame == Frame::world ? to_body(keys_[key].value, omega) : omega);
     const Sides at = sides(key);
-    const bool wraps = (at.has_before && control_wraps(s, keys_.step(at.before), log(at.before))) ||
-                       (at.has_after && control_wraps(s, keys_.step(at.after), log(at.after)));
+    const bool wraps =
+        (at.has_before && control_wraps(s, chord(at.before))) || (at.has_after && control_wraps(s, chord(at.after)));
     return wraps ? Status::option : Status::ok;
   }
 
@@ -146,21 +125,19 @@ Outcome build_squad(Construction& construction) {
   const Workspace workspace = workspace_of(construction);
   auto* segments = static_cast<NestedArcsSegment*>(construction.segments);
   for (size_t i = 0; i < keys.segments(); ++i) {
-    const double h = keys.step(i);
+    const SquadChord log_chord = {load(workspace.log[i]), keys.step(i)};
     const UnitQuaternion from = keys[i], to = keys[i + 1];
     const Quaternion chord = difference(to, from), opposite_chord = sum(from, to);
 
-    // how far the controls are from their keys: a_i - q_i and b_{i+1} - q_{i+1}; in these terms the ends of the inner
-    // arc differ without cancellation
-    const Vector3 log = load(workspace.log[i]);
+    // in terms of how far the controls are from their keys the ends of the inner arc differ without cancellation
     const Vector3 start_rate = load(workspace.half_rate[i]), end_rate = load(workspace.half_rate[i + 1]);
-    const Quaternion a_offset = multiply(from.value, exp_map_minus_one(0.5 * (h * start_rate - log)));
-    const Quaternion b_offset = multiply(to.value, exp_map_minus_one(0.5 * (log - h * end_rate)));
+    const Quaternion a_offset = control_offset_after(from.value, start_rate, log_chord);
+    const Quaternion b_offset = control_offset_before(to.value, end_rate, log_chord);
 
     const Quaternion control_sum = a_offset + b_offset;
     const Arc outer = arc_between(chord, opposite_chord);
     const Arc inner = arc_between(chord + (b_offset - a_offset), opposite_chord + control_sum);
-    segments[i].scale = 2.0 / h;
+    segments[i].scale = 2.0 / log_chord.h;
     store_arc(outer, segments[i].keys);
     store_arc(inner, segments[i].controls);
     // The sum of the keys is along the outer middle: what the controls add to it makes the difference of the middles,

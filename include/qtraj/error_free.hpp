@@ -31,4 +31,10 @@ static inline ExactOf<Number> two_product(Number a, Number b) {
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
+// a b - c d, good to 2 eps of itself however much cancels; the same range as two_product.
+inline double difference_of_products(double a, double b, double c, double d) {
+  const Exact first = two_product(a, b), second = two_product(c, d);
+  return (first.value - second.value) + (first.error - second.error);
+}
+
 }  // namespace qtraj
