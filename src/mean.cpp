@@ -1,5 +1,7 @@
 #include "qtraj/mean.hpp"
 
+#include <utility>
+
 namespace qtraj {
 namespace {
 
@@ -49,24 +51,65 @@ Eigensystem eigensystem(const Eigen::Matrix4d& symmetric) {
 
 }  // namespace
 
+double Spectrum::eigengap() const {
+  // of equal samples rounding may leave a second eigenvalue below 0 and a first above the sum
+  return std::min((values[0] - std::max(values[1], 0.0)) / sum_of_weights, 1.0);
+}
+
 void OrientationScatter::add(const Quaternion& unit, double weight) {
+  BlockSum<10>::Terms products;
+  int at = 0;
   for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) sum_(row, column) += weight * unit[row] * unit[column];
+    for (int column = row; column < 4; ++column) products[at++] = weight * unit[row] * unit[column];
+  sum_.add(products);
+}
+
+Spectrum OrientationScatter::spectrum() const {
+  const BlockSum<10>::Terms sum = sum_.value();
+  Eigen::Matrix4d scatter;
+  int at = 0;
+  for (int row = 0; row < 4; ++row)
+    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = sum[at++];
+  const Eigensystem system = eigensystem(scatter);
+
+  int order[] = {0, 1, 2, 3};
+  for (int k = 1; k < 4; ++k)
+    for (int j = k; j > 0 && system.values(order[j], order[j]) > system.values(order[j - 1], order[j - 1]); --j)
+      std::swap(order[j], order[j - 1]);
+  Spectrum spectrum;
+  spectrum.sum_of_weights = 0;
+  for (int k = 0; k < 4; ++k) {
+    spectrum.values[k] = system.values(order[k], order[k]);
+    spectrum.vectors[k] = system.vectors.col(order[k]);
+    spectrum.sum_of_weights += scatter(k, k);
+  }
+  return spectrum;
 }
 
 Status OrientationScatter::top_eigenvector(double epsilon, Quaternion& mean) const {
-  const Eigensystem system = eigensystem(sum_);
-  int top = 0;
-  for (int k = 1; k < 4; ++k)
-    if (system.values(k, k) > system.values(top, top)) top = k;
-  double sum_of_weights = 0, second = 0;
-  for (int k = 0; k < 4; ++k) {
-    sum_of_weights += sum_(k, k);
-    if (k != top) second = std::max(second, system.values(k, k));
+  const Spectrum found = spectrum();
+  mean = found.vectors[0];
+  return found.ties(epsilon) ? Status::ambiguous : Status::ok;
+}
+
+OrientationScatter scatter_of(const WeightedOrientations& samples) {
+  OrientationScatter scatter;
+  for (size_t sample = 0; sample < samples.count; ++sample) {
+    const double weight = samples.weight(sample);
+    if (weight > 0) scatter.add(samples.unit(sample), weight);
   }
-  mean = system.vectors.col(top);
-  const bool tie = system.values(top, top) - second <= 64.0 * epsilon * sum_of_weights;
-  return tie ? Status::ambiguous : Status::ok;
+  return scatter;
+}
+
+EigenMean mean_eigen(WeightedOrientations samples) {
+  EigenMean mean;
+  mean.outcome = samples.check();
+  if (mean.outcome.status != Status::ok) return mean;
+  const Spectrum spectrum = scatter_of(samples).spectrum();
+  mean.q = samples.with_sign_of_first(unit(spectrum.vectors[0]));
+  mean.eigengap = spectrum.eigengap();
+  if (spectrum.ties(samples.epsilon())) mean.outcome.status = Status::ambiguous;
+  return mean;
 }
 
 }  // namespace qtraj

@@ -1,15 +1,33 @@
-// Averages of orientations.
+// The eigen mean of orientations, and the spectrum of their scatter, from which the Karcher mean starts.
 #pragma once
 
+#include <limits>
+
+#include "qtraj/block_sum.hpp"
 #include "qtraj/quaternion.hpp"
 #include "qtraj/status.hpp"
+#include "qtraj/weighted_orientations.hpp"
 
 namespace qtraj {
+
+// Eigenvalues, falling, and eigenvectors, orthonormal to rounding, of a scatter.
+struct Spectrum {
+  double values[4];
+  Quaternion vectors[4];  // signs as found
+  double sum_of_weights;
+
+  // (l1 - l2) / sum of weights, in [0, 1]: 1 where all orientations are one.
+  double eigengap() const;
+  // Whether the two largest eigenvalues are one to rounding: any vector of their plane is then a top eigenvector.
+  bool ties(double epsilon) const { return eigengap() <= 64.0 * epsilon; }
+};
 
 // Sum of w q q^T over samples.
 class OrientationScatter {
  public:
   void add(const Quaternion& unit, double weight);
+
+  Spectrum spectrum() const;
 
   // Its top eigenvector: the mean that minimises the weighted sum of squared chordal distances (F. L. Markley et al.,
   // "Averaging quaternions", J. Guidance 30 (2007), eq. 12). Sign as found. ambiguous where the two largest eigenvalues
@@ -17,7 +35,24 @@ class OrientationScatter {
   Status top_eigenvector(double epsilon, Quaternion& mean) const;
 
  private:
-  Eigen::Matrix4d sum_ = Eigen::Matrix4d::Zero();
+  BlockSum<10> sum_;  // upper triangle, row by row
 };
+
+// The pass over the samples; those of weight 0 are left out.
+OrientationScatter scatter_of(const WeightedOrientations& samples);
+
+struct EigenMean {
+  Outcome outcome;
+  Quaternion q = Quaternion::Constant(std::numeric_limits<double>::quiet_NaN());
+  double eigengap = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Top eigenvector of sum w q q^T over the normalised samples; the sign is that of the first sample of weight above 0.
+// Each component within 4e-16 + 4e-16 / eigengap, for any number of samples, float samples too before the rounding to
+// float. Bits do not depend on the signs of the samples but for the sign of the mean.
+//
+// Singular: where the two largest eigenvalues tie (eigengap <= 64 eps of the samples' type) the mean is ambiguous, and
+// one of the top eigenvectors is given. A sample at fault or weights that are all 0: q and eigengap are NaN.
+EigenMean mean_eigen(WeightedOrientations samples);
 
 }  // namespace qtraj

@@ -1,0 +1,89 @@
+#include <cfloat>
+
+#include "qtraj/elementary.hpp"
+#include "qtraj/log_moments.hpp"
+#include "qtraj/so3.hpp"
+#include "support/capi_means.hpp"
+#include "support/catch.hpp"
+#include "support/long_double.hpp"
+
+namespace {
+
+using qtraj::Quaternion;
+using qtraj::Vector3;
+
+Quaternion quaternion(const test::Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
+
+qtraj::WeightedOrientations orientations(const capi::Samples<double>& samples) {
+  qtraj::WeightedOrientations result = {{samples.q.data(), false}, {samples.weights_or_null(), false}, samples.count()};
+  REQUIRE(result.check().status == qtraj::Status::ok);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("quaternions of any norm are made unit within 2 eps a component", "[means]") {
+  test::Random random(1);
+  double worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Quaternion q = quaternion(test::scaled(test::hard_norm(random, 300), test::hard_orientation(random)));
+    const Quaternion unit = qtraj::unit(q);
+    const wide::Quaternion expected = wide::normalized(wide::quaternion(q.data()));
+    for (size_t k = 0; k < 4; ++k) {
+      const double size = std::max(static_cast<double>(std::abs(expected[k])), DBL_MIN);
+      worst = std::max(worst, static_cast<double>(std::abs(unit[int(k)] - expected[k])) / size);
+    }
+  }
+  CHECK(worst <= 2 * DBL_EPSILON);
+}
+
+TEST_CASE("the log to the nearest of q and -q keeps its bound and does not see the sign of q", "[means]") {
+  test::Random random(2);
+  double worst = 0;
+  bool same = true;
+  for (int i = 0; i < 100000; ++i) {
+    const test::Quaternion base = random.orientation();
+    const Quaternion m = quaternion(base), q = quaternion(test::hard_neighbour(random, base));
+    const qtraj::NearestLog at = qtraj::nearest_log(m, q), opposite = qtraj::nearest_log(m, -q);
+    same = same && at.log == opposite.log && at.angle == opposite.angle;
+    wide::Quaternion relative = wide::multiply(wide::conjugate(wide::quaternion(m.data())), wide::quaternion(q.data()));
+    if (relative[0] < 0) relative = wide::scaled(-1, relative);
+    const wide::Vector r = wide::log(relative);
+    // at pi/2 either of two logs
+    const double error = wide::error(at.log.data(), r), other = wide::error(at.log.data(), wide::scaled(-1, r));
+    worst = std::max(worst, relative[0] > 1e-15L ? error : std::min(error, other));
+  }
+  CHECK(worst <= 1e-15);
+  CHECK(same);
+
+  const Quaternion one(1, 0, 0, 0);
+  for (int k = 1; k < 4; ++k)
+    for (const double sign : {1.0, -1.0}) {
+      const Vector3 log = qtraj::nearest_log(one, sign * Quaternion::Unit(k)).log;
+      CHECK((log - 0.5 * qtraj::kPi * Vector3::Unit(k - 1)).norm() <= 1e-15);
+    }
+  CHECK(qtraj::nearest_log(one, -one).log == Vector3::Zero());
+}
+
+TEST_CASE("the moments' logs and Hessian are the derivatives of f/2", "[means]") {
+  test::Random random(3);
+  for (int set = 0; set < 20; ++set) {
+    capi::Samples<double> samples = capi::cloud<double>(random, 10, 0.6);
+    for (size_t i = 0; i < 10; ++i) samples.weights.push_back(i == 3 ? 0.0 : random.uniform(0, 1));
+    const qtraj::WeightedOrientations all = orientations(samples);
+    const Quaternion m = all.unit(3);
+    const qtraj::LogMoments at = qtraj::log_moments(all, m);
+    for (int trial = 0; trial < 5; ++trial) {
+      const test::Vector v = random.direction();
+      const Vector3 direction(v[0], v[1], v[2]);
+      constexpr double kStep = 1e-3;
+      const double before = qtraj::log_moments(all, qtraj::multiply(m, qtraj::exp_map(-kStep * direction))).squares;
+      const double after = qtraj::log_moments(all, qtraj::multiply(m, qtraj::exp_map(kStep * direction))).squares;
+      CHECK(std::abs((after - before) / (4 * kStep) + at.logs.dot(direction)) <= 1e-5);
+      CHECK(std::abs((after - 2 * at.squares + before) / (2 * kStep * kStep) - direction.dot(at.hessian * direction)) <=
+            1e-5);
+    }
+    CHECK(std::abs(at.root_mean_square() - std::sqrt(at.squares / at.weight)) <= 1e-15);
+    CHECK((at.distances <= at.weight * at.root_mean_square() && at.farthest >= at.distances / at.weight));
+  }
+}
