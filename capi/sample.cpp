@@ -1,4 +1,6 @@
+#include "arguments.hpp"
 #include "kernel/kernel.hpp"
+#include "qtraj/even_times.hpp"
 #include "qtraj/options.hpp"
 #include "translate.hpp"
 
@@ -103,6 +105,12 @@ qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double sta
 qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                       float* q_out, size_t* bad_index) {
   return sample(call(trajectory, {nullptr, start, step}, count, q_out), false, bad_index);
+}
+
+qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out) {
+  return capi::call({capi::output(times_out, count, 1)}, {}, nullptr, [&] {
+    return Outcome{even_times(first, last, count, times_out), kNoIndex};
+  });
 }
 
 qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out) {

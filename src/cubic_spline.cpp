@@ -6,6 +6,12 @@
 
 namespace qtraj {
 
+SplineEnd spline_end(End condition) {
+  if (condition == End::not_a_knot) return SplineEnd::not_a_knot;
+  if (condition == End::periodic) return SplineEnd::periodic;
+  return SplineEnd::natural;
+}
+
 double SplineData::chord_slope(size_t i, size_t component) const {
   return (y[(i + 1) * dim + component] - y[i * dim + component]) / step(i);
 }

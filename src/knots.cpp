@@ -1,16 +1,19 @@
 #include "qtraj/knots.hpp"
 
+#include <algorithm>
 #include <cfloat>
 
 namespace qtraj {
 
 Status check_knot(const double* times, size_t index) {
-  if (index == 0) return Status::ok;
-  const double time = times[index];
-  if (!(time > times[index - 1])) return Status::time_order;
+  return index == 0 ? Status::ok : check_time(times[0], times[index - 1], times[index]);
+}
+
+Status check_time(double first, double previous, double time) {
+  if (!(time > previous)) return Status::time_order;
   // halves: their difference cannot overflow
-  if (0.5 * time - 0.5 * times[0] > 0.5 * DBL_MAX) return Status::time_range;
-  const double h = time - times[index - 1];
+  if (0.5 * time - 0.5 * std::min(first, previous) > 0.5 * DBL_MAX) return Status::time_range;
+  const double h = time - previous;
   if (h < 1.0 && h * h < 1.0 / DBL_MAX) return Status::time_order;
   return Status::ok;
 }

@@ -21,12 +21,6 @@ Workspace workspace_of(const Construction& construction) {
   return {rows, rows + count, construction.workspace + 6 * count};
 }
 
-SplineEnd spline_end(End condition) {
-  if (condition == End::not_a_knot) return SplineEnd::not_a_knot;
-  if (condition == End::periodic) return SplineEnd::periodic;
-  return SplineEnd::natural;
-}
-
 Status find_reference(const Construction& construction, UnitQuaternion& reference) {
   const Keyframes& keys = construction.keys;
   reference = keys[0];

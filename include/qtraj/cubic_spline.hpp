@@ -1,10 +1,12 @@
 #pragma once
 
+#include "qtraj/settings.hpp"
 #include "qtraj/status.hpp"
 
 namespace qtraj {
 
 enum class SplineEnd { natural, not_a_knot, periodic };
+SplineEnd spline_end(End condition);  // natural for the default
 
 // The values a cubic spline goes through: y [count][dim] at x [count], strictly increasing, count >= 2.
 struct SplineData {

@@ -34,6 +34,18 @@ static inline double select(bool condition, double yes, double no) { return cond
 static inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
 static inline bool any(bool condition) { return condition; }
 
+// A power of two that brings a finite value other than 0 to [1, 2); one from 2^1023 on to [2, 4), and one below 2^-1022
+// to [2^-51, 2), as there is no larger power.
+static inline double normalizing_scale(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  const uint64_t exponent = (bits >> 52) & 0x7ff;
+  bits = (exponent == 2046 ? 1 : 2046 - exponent) << 52;
+  double scale;
+  std::memcpy(&scale, &bits, sizeof scale);
+  return scale;
+}
+
 // Nearest integer for |value| < 2^51, ties to even: no libm call and no conversion. Where the caller has set another
 // rounding mode, still an integer within one half. Number: double, or a vector of it.
 template <class Number>

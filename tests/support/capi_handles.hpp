@@ -113,6 +113,33 @@ inline qtraj_status sample_rates_at(const qtraj_trajectory* trajectory, int32_t 
   return qtraj_sample_rates_at_f32(trajectory, frame, time, cursor, q_out, omega_out, alpha_out);
 }
 
+inline qtraj_status normalize(const double* q, size_t count, double* q_out, size_t* bad_index) {
+  return qtraj_normalize(q, count, q_out, bad_index);
+}
+inline qtraj_status normalize(const float* q, size_t count, float* q_out, size_t* bad_index) {
+  return qtraj_normalize_f32(q, count, q_out, bad_index);
+}
+inline qtraj_status make_continuous(const double* q, size_t series, size_t length, double* q_out, size_t* flips,
+                                    size_t* bad_index) {
+  return qtraj_make_continuous(q, series, length, q_out, flips, bad_index);
+}
+inline qtraj_status make_continuous(const float* q, size_t series, size_t length, float* q_out, size_t* flips,
+                                    size_t* bad_index) {
+  return qtraj_make_continuous_f32(q, series, length, q_out, flips, bad_index);
+}
+inline qtraj_status wxyz_from_xyzw(const double* q_xyzw, size_t count, double* q_out) {
+  return qtraj_wxyz_from_xyzw(q_xyzw, count, q_out);
+}
+inline qtraj_status wxyz_from_xyzw(const float* q_xyzw, size_t count, float* q_out) {
+  return qtraj_wxyz_from_xyzw_f32(q_xyzw, count, q_out);
+}
+inline qtraj_status xyzw_from_wxyz(const double* q, size_t count, double* q_xyzw_out) {
+  return qtraj_xyzw_from_wxyz(q, count, q_xyzw_out);
+}
+inline qtraj_status xyzw_from_wxyz(const float* q, size_t count, float* q_xyzw_out) {
+  return qtraj_xyzw_from_wxyz_f32(q, count, q_xyzw_out);
+}
+
 }  // namespace capi
 
 #endif
