@@ -26,13 +26,12 @@ struct Call {
 };
 
 template <class Real>
-Call<Real> call(const qtraj_trajectory* trajectory, const TimeSource& times, size_t count, Real* q_out) {
-  return {trajectory, times, count, {q_out, nullptr, nullptr, Frame::body}};
+SampleOutputs<Real> outputs(Real* q_out) {
+  return {q_out, nullptr, nullptr, Frame::body};
 }
 template <class Real>
-Call<Real> call(const qtraj_trajectory* trajectory, int32_t frame, const TimeSource& times, size_t count, Real* q_out,
-                Real* omega_out, Real* alpha_out) {
-  return {trajectory, times, count, {q_out, omega_out, alpha_out, static_cast<Frame>(frame)}};
+SampleOutputs<Real> outputs(int32_t frame, Real* q_out, Real* omega_out, Real* alpha_out) {
+  return {q_out, omega_out, alpha_out, static_cast<Frame>(frame)};
 }
 
 template <class Real>
@@ -65,12 +64,26 @@ qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_inde
 }
 
 template <class Real>
-qtraj_status sample_at(const Call<Real>& call, size_t* cursor) {
-  const Status status = check_arrays(call, false);
-  if (status != Status::ok) return capi::to_c(status);
+auto kernel_sample_at() {
+  if constexpr (sizeof(Real) == sizeof(double))
+    return kernel().sample_at;
+  else
+    return kernel().sample_at_f32;
+}
+
+// One time by value: of its arrays only two outputs can overlap.
+template <class Real>
+qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor,
+                       const SampleOutputs<Real>& outputs) {
+  if (!trajectory || (!outputs.q && !outputs.omega && !outputs.alpha)) return QTRAJ_E_NULL;
+  if (!is_known(outputs.frame)) return QTRAJ_E_OPTION;
+  if (outputs.omega || outputs.alpha) {
+    const capi::Array q = {outputs.q, 4 * sizeof(Real)}, omega = {outputs.omega, 3 * sizeof(Real)},
+                      alpha = {outputs.alpha, 3 * sizeof(Real)};
+    if (capi::overlap(q, omega) || capi::overlap(q, alpha) || capi::overlap(omega, alpha)) return QTRAJ_E_OVERLAP;
+  }
   size_t start = 0;
-  return capi::to_c(
-      kernel_sample<Real>()(call.trajectory->core, call.times, 1, cursor ? *cursor : start, call.outputs).status);
+  return capi::to_c(kernel_sample_at<Real>()(trajectory->core, time, cursor ? *cursor : start, outputs));
 }
 
 }  // namespace
@@ -79,32 +92,34 @@ extern "C" {
 
 qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
                           size_t* bad_index) {
-  return sample(call(trajectory, {times, 0, 0}, count, q_out), !times, bad_index);
+  return sample<double>({trajectory, {times, 0, 0}, count, outputs(q_out)}, !times, bad_index);
 }
 
 qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count, float* q_out,
                               size_t* bad_index) {
-  return sample(call(trajectory, {times, 0, 0}, count, q_out), !times, bad_index);
+  return sample<float>({trajectory, {times, 0, 0}, count, outputs(q_out)}, !times, bad_index);
 }
 
 qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times, size_t count,
                                 double* q_out, double* omega_out, double* alpha_out, size_t* bad_index) {
-  return sample(call(trajectory, frame, {times, 0, 0}, count, q_out, omega_out, alpha_out), !times, bad_index);
+  return sample<double>({trajectory, {times, 0, 0}, count, outputs(frame, q_out, omega_out, alpha_out)}, !times,
+                        bad_index);
 }
 
 qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                     size_t count, float* q_out, float* omega_out, float* alpha_out, size_t* bad_index) {
-  return sample(call(trajectory, frame, {times, 0, 0}, count, q_out, omega_out, alpha_out), !times, bad_index);
+  return sample<float>({trajectory, {times, 0, 0}, count, outputs(frame, q_out, omega_out, alpha_out)}, !times,
+                       bad_index);
 }
 
 qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                   double* q_out, size_t* bad_index) {
-  return sample(call(trajectory, {nullptr, start, step}, count, q_out), false, bad_index);
+  return sample<double>({trajectory, {nullptr, start, step}, count, outputs(q_out)}, false, bad_index);
 }
 
 qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                       float* q_out, size_t* bad_index) {
-  return sample(call(trajectory, {nullptr, start, step}, count, q_out), false, bad_index);
+  return sample<float>({trajectory, {nullptr, start, step}, count, outputs(q_out)}, false, bad_index);
 }
 
 qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out) {
@@ -114,21 +129,21 @@ qtraj_status qtraj_even_times(double first, double last, size_t count, double* t
 }
 
 qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out) {
-  return sample_at(call(trajectory, {&time, 0, 0}, 1, q_out), cursor);
+  return sample_at(trajectory, time, cursor, outputs(q_out));
 }
 
 qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor, float* q_out) {
-  return sample_at(call(trajectory, {&time, 0, 0}, 1, q_out), cursor);
+  return sample_at(trajectory, time, cursor, outputs(q_out));
 }
 
 qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
                                    double* q_out, double* omega_out, double* alpha_out) {
-  return sample_at(call(trajectory, frame, {&time, 0, 0}, 1, q_out, omega_out, alpha_out), cursor);
+  return sample_at(trajectory, time, cursor, outputs(frame, q_out, omega_out, alpha_out));
 }
 
 qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time, size_t* cursor,
                                        float* q_out, float* omega_out, float* alpha_out) {
-  return sample_at(call(trajectory, frame, {&time, 0, 0}, 1, q_out, omega_out, alpha_out), cursor);
+  return sample_at(trajectory, time, cursor, outputs(frame, q_out, omega_out, alpha_out));
 }
 
 }  // extern "C"

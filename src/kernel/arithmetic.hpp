@@ -15,6 +15,9 @@
 #include "coefficients.hpp"
 #include "qtraj/floating.hpp"
 
+// Evaluation is one straight sequence: a vector passed to a call would go through memory.
+#define QTRAJ_INLINE inline __attribute__((always_inline))
+
 namespace qtraj {
 namespace {
 
@@ -31,14 +34,14 @@ inline float fused_multiply_add(float a, float b, float c) { return __builtin_fm
 
 struct Plain {
   template <class Number>
-  static Number multiply_add(Number a, Number b, Number c) {
+  QTRAJ_INLINE static Number multiply_add(Number a, Number b, Number c) {
     return a * b + c;
   }
 };
 
 struct Fused {
   template <class Number>
-  static Number multiply_add(Number a, Number b, Number c) {
+  QTRAJ_INLINE static Number multiply_add(Number a, Number b, Number c) {
     return fused_multiply_add(a, b, c);
   }
 };
@@ -56,19 +59,34 @@ constexpr const auto& coefficients(Polynomial) {
     return Polynomial::kFloat;
 }
 
-// Horner's scheme.
+// c0 + c1 x + ... by Estrin's scheme: neighbours are joined pairwise, then in steps of x^2, x^4. As many fused steps as
+// Horner's scheme has, but few that wait for each other.
+template <class Arithmetic, class Number, size_t Terms>
+QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
+  if constexpr (Terms == 1) {
+    return c[0];
+  } else {
+    constexpr size_t kPairs = Terms / 2;
+    Number joined[Terms - kPairs];
+    for (size_t k = 0; k < kPairs; ++k) joined[k] = Arithmetic::multiply_add(c[2 * k + 1], x, c[2 * k]);
+    if constexpr (Terms % 2 != 0) joined[kPairs] = c[Terms - 1];
+    return estrin<Arithmetic>(joined, x * x);
+  }
+}
+
+// c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last and rounds once.
 template <class Arithmetic, class Polynomial, class Number>
-Number evaluate(Number x) {
+QTRAJ_INLINE Number evaluate(Number x) {
   constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
   constexpr size_t kTerms = sizeof kCoefficients / sizeof kCoefficients[0];
-  Number sum = Number(kCoefficients[kTerms - 1]);
-  for (size_t k = kTerms - 1; k-- > 0;) sum = Arithmetic::multiply_add(sum, x, Number(kCoefficients[k]));
-  return sum;
+  Number rest[kTerms - 1];
+  for (size_t k = 1; k < kTerms; ++k) rest[k - 1] = Number(kCoefficients[k]);
+  return Arithmetic::multiply_add(estrin<Arithmetic>(rest, x), x, Number(kCoefficients[0]));
 }
 
 // Dot product in the one order that all kernels use.
 template <class Arithmetic, class Number, size_t Size>
-Number dot(const Number (&a)[Size], const Number (&b)[Size]) {
+QTRAJ_INLINE Number dot(const Number (&a)[Size], const Number (&b)[Size]) {
   Number sum = a[0] * b[0];
   for (size_t k = 1; k < Size; ++k) sum = Arithmetic::multiply_add(a[k], b[k], sum);
   return sum;
@@ -76,7 +94,7 @@ Number dot(const Number (&a)[Size], const Number (&b)[Size]) {
 
 // q (1.5 - |q|^2/2): unit length to rounding where |q| is within a few hundred eps of 1.
 template <class Arithmetic, class Number>
-void newton_normalize(Number (&q)[4]) {
+QTRAJ_INLINE void newton_normalize(Number (&q)[4]) {
   using Real = Element<Number>;
   const Number factor = Arithmetic::multiply_add(Number(Real(-0.5)), dot<Arithmetic>(q, q), Number(Real(1.5)));
   for (Number& component : q) component = component * factor;
@@ -84,7 +102,7 @@ void newton_normalize(Number (&q)[4]) {
 
 // Polynomial with vector coefficients at x.
 template <class Arithmetic, class Number, size_t Terms, size_t Size>
-void vector_horner(const Number (&c)[Terms][Size], Number x, Number (&value)[Size]) {
+QTRAJ_INLINE void vector_horner(const Number (&c)[Terms][Size], Number x, Number (&value)[Size]) {
   for (size_t k = 0; k < Size; ++k) {
     value[k] = c[Terms - 1][k];
     for (size_t term = Terms - 1; term-- > 0;) value[k] = Arithmetic::multiply_add(value[k], x, c[term][k]);

@@ -9,7 +9,8 @@ static_assert(HWY_TARGET == HWY_AVX3, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kAvx512Kernel = {"avx512 fused", sample_batch<Fused, double>, sample_batch<Fused, float>};
+const Kernel kAvx512Kernel = {"avx512 fused", sample_batch<Fused, double>, sample_batch<Fused, float>,
+                              sample_at<Fused, double>, sample_at<Fused, float>};
 
 }  // namespace qtraj
 

@@ -11,7 +11,7 @@
 namespace qtraj {
 namespace {
 
-constexpr size_t kChunk = 256;
+constexpr size_t kChunk = 512;
 // Samples of a segment from which a run is worth its setting up, in vectors.
 constexpr size_t kLeastRun = 2;
 
@@ -159,10 +159,13 @@ class Batch {
     Outcome outcome = {Status::ok, kNoIndex};
     for (first_row_ = 0; first_row_ < count_; first_row_ += kChunk) {
       const size_t rows = count_ - first_row_ < kChunk ? count_ - first_row_ : kChunk;
-      const bool all_inside = read_times(rows);
-      again_ = false;
-      sample_chunk(rows, cursor);
-      if (!all_inside || again_) sample_again(rows, cursor, outcome);
+      again_ = has_marks_ = false;
+      if (!find_sorted_times(rows) || !sample_runs(rows, cursor)) {
+        const bool all_inside = clamp_times(rows);
+        sample_staged(rows);
+        if (!all_inside) again_ = true;
+      }
+      if (again_) sample_again(rows, cursor, outcome);
     }
     return outcome;
   }
@@ -177,79 +180,90 @@ class Batch {
 
   // ---- Times ----
 
-  // Fills times_: those outside the knots, or not finite, become the first knot. Whether there were none.
-  bool read_times(size_t rows) {
-    const double* from = source_.source().array;
-    if (from)
-      from += first_row_;
-    else
+  // Points times_ to the times of the chunk. Whether all are within the knots and none is before the one before it.
+  bool find_sorted_times(size_t rows) {
+    if (source_.source().array) {
+      times_ = source_.source().array + first_row_;
+    } else {
       generate_times(rows);
-
-    WideMask<double> all_inside = Time(0.0) <= Time(0.0);
-    size_t i = 0;
-    for (; i + kTimeLanes <= rows; i += kTimeLanes)
-      all_inside = all_inside & clamp_times(Time::load(from ? from + i : times_ + i), times_ + i);
-    if (i < rows) {
-      double rest[kTimeLanes];
-      for (size_t k = 0; k < kTimeLanes; ++k)
-        rest[k] = i + k >= rows ? index_.knots[0] : from ? from[i + k] : times_[i + k];
-      all_inside = all_inside & clamp_times(Time::load(rest), times_ + i);
+      times_ = buffer_;
     }
-    for (size_t k = rows; k < rows + kLanes; ++k) times_[k] = times_[rows - 1];
-    return all(all_inside);
+    return all_finite(rows) && times_[0] >= index_.knots[0] && times_[rows - 1] <= index_.knots[index_.segments] &&
+           is_sorted(rows);
   }
 
   void generate_times(size_t rows) {
     if (!source_.is_plain_uniform()) {
-      for (size_t i = 0; i < rows; ++i) times_[i] = source_[first_row_ + i];
+      for (size_t i = 0; i < rows; ++i) buffer_[i] = source_[first_row_ + i];
       return;
     }
     const Time start(source_.source().start), step(source_.source().step);
     const Time first(static_cast<double>(first_row_));
     for (size_t i = 0; i < rows; i += kTimeLanes) {
       const Time row = first + Time::of(hn::Iota(Time::Tag(), static_cast<double>(i)));
-      (start + row * step).store(times_ + i);
+      (start + row * step).store(buffer_ + i);
     }
   }
 
-  // Told by the bits first: a comparison with NaN would raise FE_INVALID.
-  QTRAJ_INLINE WideMask<double> clamp_times(Time time, double* to) const {
+  // Told by the bits: a comparison with NaN would raise FE_INVALID.
+  QTRAJ_INLINE static WideMask<double> is_not_finite(Time time) {
     const hn::RebindToUnsigned<Time::Tag> bits;
     const auto exponent = hn::Set(bits, 0x7ff0000000000000u);
-    const Time first(index_.knots[0]), last(index_.knots[index_.segments]);
-    const auto has_full_exponent = hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent);
-    const WideMask<double> is_finite = {hn::Not(hn::RebindMask(Time::Tag(), has_full_exponent))};
-    const Time finite = select(is_finite, time, first);
-    const WideMask<double> inside = is_finite & (first <= finite) & (finite <= last);
-    select(inside, finite, first).store(to);
-    return inside;
+    return {hn::RebindMask(Time::Tag(), hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent))};
   }
 
+  bool all_finite(size_t rows) const {
+    WideMask<double> none = Time(1.0) <= Time(0.0), not_finite = none;
+    size_t i = 0;
+    for (; i + kTimeLanes <= rows; i += kTimeLanes) not_finite = not_finite | is_not_finite(Time::load(times_ + i));
+    bool finite = !any(not_finite);
+    for (; i < rows; ++i) finite = finite && is_finite(times_[i]);
+    return finite;
+  }
+
+  // Finite times.
   bool is_sorted(size_t rows) const {
     WideMask<double> sorted = Time(0.0) <= Time(0.0);
-    for (size_t i = 0; i < rows; i += kTimeLanes)
+    size_t i = 0;
+    for (; i + kTimeLanes < rows; i += kTimeLanes)
       sorted = sorted & (Time::load(times_ + i) <= Time::load(times_ + i + 1));
-    return all(sorted);
+    bool rest = true;
+    for (; i + 1 < rows; ++i) rest = rest && times_[i] <= times_[i + 1];
+    return rest && all(sorted);
   }
 
-  // ---- Chunks ----
-
-  void sample_chunk(size_t rows, size_t& cursor) {
-    if (is_sorted(rows)) {
-      const size_t first = find_segment(index_, times_[0], cursor);
-      const size_t last = find_segment(index_, times_[rows - 1], first);
-      cursor = last;
-      if ((last - first) * kLeastRun * kLanes < rows) return sample_runs(rows, first, last);
+  // Copies the times to the buffer, where those outside the knots or not finite become the first knot, and the last
+  // vector is filled. Whether all were inside.
+  bool clamp_times(size_t rows) {
+    const Time first(index_.knots[0]), last(index_.knots[index_.segments]);
+    if (times_ != buffer_) std::memcpy(buffer_, times_, rows * sizeof(double));
+    for (size_t i = rows; i < rows + kLanes; ++i) buffer_[i] = index_.knots[0];
+    times_ = buffer_;
+    WideMask<double> all_inside = first <= first;
+    for (size_t i = 0; i < rows; i += kTimeLanes) {
+      const Time time = Time::load(buffer_ + i);
+      const Time finite = select(is_not_finite(time), Time(-kLargest), time);
+      const WideMask<double> inside = (first <= finite) & (finite <= last);
+      all_inside = all_inside & inside;
+      select(inside, finite, first).store(buffer_ + i);
     }
-    sample_staged(rows);
+    return all(all_inside);
   }
 
-  void sample_runs(size_t rows, size_t first, size_t last) {
+  // ---- Sorted times: run by run ----
+
+  // False, and nothing done, where runs would be too short.
+  bool sample_runs(size_t rows, size_t& cursor) {
+    const size_t first = find_segment(index_, times_[0], cursor);
+    const size_t last = find_segment(index_, times_[rows - 1], first);
+    cursor = last;
+    if ((last - first) * kLeastRun * kLanes >= rows) return false;
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {
       const size_t end = segment == last ? rows : first_at_or_after(index_.knots[segment + 1], begin, rows);
       if (begin < end) sample_run(segment, begin, end);
       begin = end;
     }
+    return true;
   }
 
   // First of the sorted times in [begin, end) that is not before a knot.
@@ -264,27 +278,29 @@ class Batch {
     return begin;
   }
 
-  // Rows past the end of the run, up to a vector, are written too and corrected by the next run.
   void sample_run(size_t segment, size_t begin, size_t end) {
     const Segment& record = segments_[segment];
     const auto* fields = reinterpret_cast<const double*>(&record);
     const WideSegment wide =
         read_segment<WideSegment, Number>([&](size_t k) { return Number(static_cast<Real>(fields[k])); });
-    const Time knot(index_.knots[segment]), next(index_.knots[segment + 1]);
-    const Time scale(Evaluator::scale(record)), offset(Evaluator::offset(record));
+    const Time knot(index_.knots[segment]), scale(Evaluator::scale(record)), offset(Evaluator::offset(record));
     Doubles<Real> scales;
     for (Time& part : scales.part) part = scale;
-    for (size_t i = begin; i < end; i += kLanes) {
+    const auto sample_vector = [&](const double* times, size_t i) {
       Doubles<Real> x;
-      for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-        const Time time = Time::load(times_ + i + part * kTimeLanes);
-        // times of the next run would be far outside this segment
-        const Time inside = select(time <= next, time, next);
-        x.part[part] = parameter<Arithmetic>(inside - knot, scale, offset);
-      }
+      for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
+        x.part[part] = parameter<Arithmetic>(Time::load(times + part * kTimeLanes) - knot, scale, offset);
       sample_lanes(wide, x.rounded(), scales, i, end);
-    }
+    };
+    size_t i = begin;
+    for (; i + kLanes <= end; i += kLanes) sample_vector(times_ + i, i);
+    if (i == end) return;
+    double rest[kLanes];
+    for (size_t k = 0; k < kLanes; ++k) rest[k] = times_[i + k < end ? i + k : end - 1];
+    sample_vector(rest, i);
   }
+
+  // ---- Other times: a segment for each lane ----
 
   // Segments of all times first: their searches then overlap, as each waits for memory.
   void sample_staged(size_t rows) {
@@ -313,7 +329,8 @@ class Batch {
     }
   }
 
-  // One vector of samples, of which those before `end` count.
+  // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and
+  // corrected later.
   QTRAJ_INLINE void sample_lanes(const WideSegment& segment, Number x, const Doubles<Real>& scales, size_t i,
                                  size_t end) {
     const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
@@ -335,9 +352,9 @@ class Batch {
   // ---- Rows done again ----
 
   void mark_again(size_t i, size_t rows) {
-    if (!again_)
+    if (!has_marks_)
       for (bool& mark : marked_) mark = false;
-    again_ = true;
+    again_ = has_marks_ = true;
     for (size_t k = i; k < i + rows; ++k) marked_[k] = true;
   }
 
@@ -345,7 +362,7 @@ class Batch {
     for (size_t i = 0; i < rows; ++i) {
       const double time = source_[first_row_ + i];
       const bool inside = is_finite(time) && time >= index_.knots[0] && time <= index_.knots[index_.segments];
-      if (!inside || (again_ && marked_[i])) sample_row(sampler_, time, first_row_ + i, cursor, outputs_, outcome);
+      if (!inside || (has_marks_ && marked_[i])) sample_row(sampler_, time, first_row_ + i, cursor, outputs_, outcome);
     }
   }
 
@@ -358,11 +375,14 @@ class Batch {
   const size_t count_;
   const SampleOutputs<Real>& outputs_;
 
+  // Of the chunk.
   size_t first_row_ = 0;
-  bool again_ = false;  // some row of the chunk is marked
+  const double* times_ = nullptr;  // the caller's, or in buffer_
+  bool again_ = false;             // some rows are to be done again: those outside the knots, and marked ones
+  bool has_marks_ = false;
   bool marked_[kChunk];
-  double times_[kChunk + kLanes + 1];  // of the chunk, clamped
-  int64_t found_[kChunk + kLanes];     // segments of the times
+  double buffer_[kChunk + kLanes];
+  int64_t found_[kChunk + kLanes];  // segments of the times
 };
 
 template <class Arithmetic, class Real>

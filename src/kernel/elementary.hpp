@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "coefficients.hpp"
+#include "arithmetic.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/error_free.hpp"
 #include "qtraj/floating.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 // A polynomial without its first `skip` terms: callers add those last, so that they round once.
 template <class Number, size_t Terms>
-Number tail(const double (&coefficients)[Terms], size_t skip, Number x) {
+QTRAJ_INLINE Number tail(const double (&coefficients)[Terms], size_t skip, Number x) {
   Number sum(coefficients[Terms - 1]);
   for (size_t k = Terms - 1; k-- > skip;) sum = sum * x + Number(coefficients[k]);
   for (size_t k = 0; k < skip; ++k) sum = sum * x;
@@ -28,7 +28,7 @@ struct Reduced {
 };
 
 template <class Number>
-Reduced<Number> subtract_quarters(Number x, Number quarters) {
+QTRAJ_INLINE Reduced<Number> subtract_quarters(Number x, Number quarters) {
   // pi/2 to 159 bits
   const Number half_pi(0x1.921fb54442d18p+0), half_pi_low(0x1.1a62633145c07p-54),
       half_pi_lowest(-0x1.f1976b7ed8fbcp-110);
@@ -43,7 +43,7 @@ Reduced<Number> subtract_quarters(Number x, Number quarters) {
 }
 
 template <class Number>
-Reduced<Number> reduce(Number x) {
+QTRAJ_INLINE Reduced<Number> reduce(Number x) {
   const Number quarters_per_radian(0x1.45f306dc9c883p-1);
   const Reduced<Number> first = subtract_quarters(x, round_to_integer(x * quarters_per_radian));
   // of many turns the first count may be a quarter off: its product was rounded
@@ -59,7 +59,7 @@ struct SinCosOf {
 };
 
 template <class Number>
-SinCosOf<Number> sin_cos_of(Number angle) {
+QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
   const Number zero(0.0), half(0.5), one(1.0), two(2.0), far(0x1p50);
   const Number below = select(far < angle, far, angle);
   const Reduced<Number> reduced = reduce(select(below < -far, -far, below));
@@ -80,7 +80,7 @@ SinCosOf<Number> sin_cos_of(Number angle) {
 }
 
 template <class Number>
-Number atan2_of(Number y, Number x) {
+QTRAJ_INLINE Number atan2_of(Number y, Number x) {
   const Number zero(0.0), one(1.0), two(2.0), four(4.0);
   const Number ax = select(x < zero, -x, x), ay = select(y < zero, -y, y);
   const Number largest = select(ay < ax, ax, ay), least = select(ay < ax, ay, ax);

@@ -8,7 +8,7 @@ namespace {
 
 // m c + e s.
 template <class Arithmetic, class Number>
-void combine(const Number (&m)[4], Number c, const Number (&e)[4], Number s, Number (&q)[4]) {
+QTRAJ_INLINE void combine(const Number (&m)[4], Number c, const Number (&e)[4], Number s, Number (&q)[4]) {
   for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(e[k], s, m[k] * c);
 }
 
@@ -23,7 +23,7 @@ struct ArcEvaluator : EvaluatorDefaults {
 
   // Arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
   template <class Number>
-  void sample(const ArcSegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  QTRAJ_INLINE void sample(const ArcSegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     const Number y = x * x;
     const Number c = evaluate<Arithmetic, CosArc>(y), s = x * evaluate<Arithmetic, SincArc>(y);
     combine<Arithmetic>(segment.m, c, segment.e, s, q);
@@ -31,7 +31,7 @@ struct ArcEvaluator : EvaluatorDefaults {
 
   // Per unit of x the body turns by 2 about m* e.
   template <class Number>
-  void sample_rates(const ArcSegmentOf<Number>& segment, Number, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number, Rates<Number>& rates) const {
     using Real = Element<Number>;
     relative_vector_part<Arithmetic>(segment.m, segment.e, rates.omega);
     for (size_t k = 0; k < 3; ++k) {

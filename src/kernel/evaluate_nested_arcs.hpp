@@ -16,7 +16,7 @@ constexpr Real opposite_limit() {
 }
 
 template <class Arithmetic, class Number>
-void sample_arc(const typename NestedArcsSegmentOf<Number>::Arc& arc, Number s, Number (&q)[4]) {
+QTRAJ_INLINE void sample_arc(const typename NestedArcsSegmentOf<Number>::Arc& arc, Number s, Number (&q)[4]) {
   const Number x = s * arc.half_angle;
   const Number y = x * x;
   combine<Arithmetic>(arc.m, evaluate<Arithmetic, CosHalf>(y), arc.e, x * evaluate<Arithmetic, SincHalf>(y), q);
@@ -27,7 +27,7 @@ void sample_arc(const typename NestedArcsSegmentOf<Number>::Arc& arc, Number s, 
 //   weight of c = sin(f theta)/sin theta = f g sinc(f theta)/z,  weight of p = cos(f theta) - cos theta (weight of c).
 // Opposite p and c: the great circle through p (0, 1, 0, 0), a turn about the body x axis.
 template <class Arithmetic, class Number>
-void slerp_between(const Number (&p)[4], const Number (&c)[4], Number f, Number (&q)[4]) {
+QTRAJ_INLINE void slerp_between(const Number (&p)[4], const Number (&c)[4], Number f, Number (&q)[4]) {
   using Real = Element<Number>;
   const Number zero = Number(Real(0)), one = Number(Real(1)), limit = Number(opposite_limit<Real>());
   Number sum[4];
@@ -56,7 +56,7 @@ struct ArcPair {
   Number control_c, control_s, controls_rate;
 };
 template <class Arithmetic, class Number>
-ArcPair<Number> arc_pair(const NestedArcsSegmentOf<Number>& segment, Number s) {
+QTRAJ_INLINE ArcPair<Number> arc_pair(const NestedArcsSegmentOf<Number>& segment, Number s) {
   const auto cosine_of = [](Number x) { return evaluate<Arithmetic, CosHalf>(x * x); };
   const auto sine_of = [](Number x) { return x * evaluate<Arithmetic, SincHalf>(x * x); };
   const Number keys_rate = segment.keys.half_angle, controls_rate = segment.controls.half_angle;
@@ -70,7 +70,7 @@ struct Jet {
   Number value, first, second;
 };
 template <class Arithmetic, class Number>
-Jet<Number> product_sum(const ArcPair<Number>& arcs, Number a0, Number a1, Number a2, Number a3) {
+QTRAJ_INLINE Jet<Number> product_sum(const ArcPair<Number>& arcs, Number a0, Number a1, Number a2, Number a3) {
   const auto sum = [&](Number b0, Number b1, Number b2, Number b3) {
     const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
     return add(arcs.c, add(b1, arcs.control_s, b0 * arcs.control_c),
@@ -86,7 +86,7 @@ Jet<Number> product_sum(const ArcPair<Number>& arcs, Number a0, Number a1, Numbe
 // H = theta/sin theta as a function of d = cos theta, and its first two derivatives: from the polynomial G(1 - d) where
 // the closed forms, H' = (d H - 1)/(1 - d^2) and H'' = (H + 3 d H')/(1 - d^2), would cancel, from these elsewhere.
 template <class Arithmetic, class Number>
-Jet<Number> angle_over_sine_near_one(Number d) {
+QTRAJ_INLINE Jet<Number> angle_over_sine_near_one(Number d) {
   using Real = Element<Number>;
   constexpr const auto& kCoefficients = coefficients<Number>(AcosRatio{});
   constexpr size_t kTerms = sizeof kCoefficients / sizeof kCoefficients[0];
@@ -100,7 +100,7 @@ Jet<Number> angle_over_sine_near_one(Number d) {
   return {value, -first, Number(Real(2)) * half_second};
 }
 template <class Arithmetic, class Number>
-Jet<Number> angle_over_sine_by_quotients(Number d) {
+QTRAJ_INLINE Jet<Number> angle_over_sine_by_quotients(Number d) {
   using Real = Element<Number>;
   const Number one = Number(Real(1));
   // of half the angle, kept from a quarter turn of S^3, where H is infinite and no great circle is singled out
@@ -114,7 +114,7 @@ Jet<Number> angle_over_sine_by_quotients(Number d) {
   return {h, first, (h + Number(Real(3)) * d * first) * inverse};
 }
 template <class Arithmetic, class Number>
-Jet<Number> angle_over_sine(Number d) {
+QTRAJ_INLINE Jet<Number> angle_over_sine(Number d) {
   using Real = Element<Number>;
   const auto is_near = Number(Real(0.7)) <= d;
   const Jet<Number> near = angle_over_sine_near_one<Arithmetic>(d);
@@ -125,8 +125,8 @@ Jet<Number> angle_over_sine(Number d) {
 
 // p = f H v, the half-angle vector from P to q, with its derivatives in s; f = (1 - s^2)/2.
 template <class Arithmetic, class Number>
-void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
-                  HalfAngleJet<Number>& jet) {
+QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
+                               HalfAngleJet<Number>& jet) {
   using Real = Element<Number>;
   const Number half = Number(Real(0.5)), two = Number(Real(2));
   const auto& m = segment.keys.m;
@@ -155,7 +155,7 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   using SegmentOf = NestedArcsSegmentOf<Value>;
 
   template <class Number>
-  void sample(const SegmentOf<Number>& segment, Number s, Number (&q)[4]) const {
+  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number s, Number (&q)[4]) const {
     using Real = Element<Number>;
     Number p[4], c[4];
     sample_arc<Arithmetic>(segment.keys, s, p);
@@ -167,7 +167,7 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   // body rates are those of exp p and, turned by it, the constant one of P. v is a sum of four constant vectors times
   // products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
   template <class Number>
-  void sample_rates(const SegmentOf<Number>& segment, Number s, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, Rates<Number>& rates) const {
     const ArcPair<Number> arcs = arc_pair<Arithmetic>(segment, s);
     HalfAngleJet<Number> jet;
     exponent_jet<Arithmetic>(segment, arcs, s, jet);

@@ -24,7 +24,7 @@ struct NormalizedEvaluator : EvaluatorDefaults {
 
   // The identity where the polynomial passes through 0.
   template <class Number>
-  void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     using Real = Element<Number>;
     const Number zero = Number(Real(0)), one = Number(Real(1));
     Number p[4];
@@ -37,7 +37,7 @@ struct NormalizedEvaluator : EvaluatorDefaults {
 
   // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; 0 where p is.
   template <class Number>
-  void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
     using Real = Element<Number>;
     const Number zero = Number(Real(0)), one = Number(Real(1)), two = Number(Real(2));
     Number p[4], dp[4], ddp[4], bend[3];

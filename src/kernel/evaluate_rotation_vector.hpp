@@ -17,7 +17,7 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   explicit RotationVectorEvaluator(int doublings) : doublings_(doublings) {}
 
   template <class Number>
-  void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     Number p[3];
     vector_horner<Arithmetic>(segment.c, x, p);
     turn<Arithmetic>(segment.base, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
@@ -26,7 +26,7 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   }
 
   template <class Number>
-  void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
     HalfAngleJet<Number> jet;
     polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
     exponential_rates<Arithmetic>(jet, doublings_, rates);
@@ -45,7 +45,7 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   using Working = double;
 
   template <class Number>
-  void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     Number p[3];
     vector_horner<Arithmetic>(segment.c, x, p);
     turn<Arithmetic>(segment.base, cos_sinc_any<Arithmetic>(dot<Arithmetic>(p, p)), p, q);
@@ -53,7 +53,7 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   }
 
   template <class Number>
-  void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
     HalfAngleJet<Number> jet;
     polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
     exponential_rates_any<Arithmetic>(jet, rates);

@@ -26,12 +26,12 @@ struct RateFactors {
 // For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x
 // and sinc 2x = cos x sinc x. No square root, no division, and the same branches for all samples of a trajectory.
 template <class Arithmetic, class Number>
-CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
+QTRAJ_INLINE CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
   using Real = Element<Number>;
   return {Arithmetic::multiply_add(Number(Real(-2)) * z * f.k, f.k, Number(Real(1))), f.c * f.k};
 }
 template <class Arithmetic, class Number>
-CosSinc<Number> cos_sinc(Number y, int doublings) {
+QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
   using Real = Element<Number>;
   Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
@@ -44,7 +44,7 @@ CosSinc<Number> cos_sinc(Number y, int doublings) {
 
 // D and E the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16.
 template <class Arithmetic, class Number>
-RateFactors<Number> rate_factors(Number y, int doublings) {
+QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings) {
   using Real = Element<Number>;
   Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
@@ -63,7 +63,7 @@ RateFactors<Number> rate_factors(Number y, int doublings) {
 constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
 
 template <class Arithmetic, class Number>
-CosSinc<Number> cos_sinc_any(Number y) {
+QTRAJ_INLINE CosSinc<Number> cos_sinc_any(Number y) {
   const auto is_short = y <= Number(kPolynomialLimit);
   const CosSinc<Number> near = cos_sinc<Arithmetic>(select(is_short, y, Number(0.0)), 0);
   const Number angle = select(is_short, Number(1.0), square_root(y));
@@ -73,7 +73,7 @@ CosSinc<Number> cos_sinc_any(Number y) {
 
 // base (c, k p), the Hamilton product.
 template <class Arithmetic, class Number>
-void turn(const Number (&base)[4], const CosSinc<Number>& f, const Number (&p)[3], Number (&q)[4]) {
+QTRAJ_INLINE void turn(const Number (&base)[4], const CosSinc<Number>& f, const Number (&p)[3], Number (&q)[4]) {
   const Number w = base[0], x = base[1], y = base[2], z = base[3];
   const Number vx = f.k * p[0], vy = f.k * p[1], vz = f.k * p[2];
   const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
@@ -99,8 +99,8 @@ struct RateWeights {
 };
 
 template <class Arithmetic, class Number>
-void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const RateWeights<Number>& weights,
-                 Rates<Number>& rates) {
+QTRAJ_INLINE void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const RateWeights<Number>& weights,
+                              Rates<Number>& rates) {
   Number once[3], twice[3], ddp_once[3], ddp_twice[3], sideways[3];
   cross<Arithmetic>(p, jet.dp, once);
   cross<Arithmetic>(p, once, twice);
@@ -121,7 +121,7 @@ void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const Ra
 
 // For |p| <= 2^doublings pi/2.
 template <class Arithmetic, class Number>
-RateWeights<Number> rate_weights(Number y, int doublings) {
+QTRAJ_INLINE RateWeights<Number> rate_weights(Number y, int doublings) {
   const CosSinc<Number> f = cos_sinc<Arithmetic>(y, doublings);
   const RateFactors<Number> g = rate_factors<Arithmetic>(y, doublings);
   const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * g.d));
@@ -131,13 +131,13 @@ RateWeights<Number> rate_weights(Number y, int doublings) {
 
 // Body rates of exp p for |p| <= 2^doublings pi/2.
 template <class Arithmetic, class Number>
-void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, Rates<Number>& rates) {
+QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, Rates<Number>& rates) {
   weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings), rates);
 }
 
 // For any |p| below 2^500; Number of double.
 template <class Arithmetic, class Number>
-void exponential_rates_any(const HalfAngleJet<Number>& jet, Rates<Number>& rates) {
+QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, Rates<Number>& rates) {
   const Number zero(0.0), one(1.0), two(2.0), three(3.0);
   const Number y = dot<Arithmetic>(jet.p, jet.p);
   const auto is_short = y <= Number(kPolynomialLimit);

@@ -30,11 +30,16 @@ struct Kernel {
   const char* target;  // instruction set and arithmetic, as qtraj_target reports it
 
   // Samples at the times. Every row is written, one at fault with NaN; the outcome is that of the first at fault.
-  // `cursor`, a segment index or any other number, says where to look first and receives the last segment used.
+  // `cursor`, a segment index or any other number, says where to look first and receives a segment that was used.
   Outcome (*sample)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
                     const SampleOutputs<double>& outputs);
   Outcome (*sample_f32)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
                         const SampleOutputs<float>& outputs);
+
+  // One sample.
+  Status (*sample_at)(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<double>& outputs);
+  Status (*sample_at_f32)(const Trajectory& trajectory, double time, size_t& cursor,
+                          const SampleOutputs<float>& outputs);
 };
 
 // The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body

@@ -15,7 +15,7 @@ struct Rates {
 };
 
 template <class Arithmetic, class Number>
-void cross(const Number (&a)[3], const Number (&b)[3], Number (&product)[3]) {
+QTRAJ_INLINE void cross(const Number (&a)[3], const Number (&b)[3], Number (&product)[3]) {
   product[0] = Arithmetic::multiply_add(a[1], b[2], -(a[2] * b[1]));
   product[1] = Arithmetic::multiply_add(a[2], b[0], -(a[0] * b[2]));
   product[2] = Arithmetic::multiply_add(a[0], b[1], -(a[1] * b[0]));
@@ -23,7 +23,7 @@ void cross(const Number (&a)[3], const Number (&b)[3], Number (&product)[3]) {
 
 // Im(a* b).
 template <class Arithmetic, class Number>
-void relative_vector_part(const Number (&a)[4], const Number (&b)[4], Number (&v)[3]) {
+QTRAJ_INLINE void relative_vector_part(const Number (&a)[4], const Number (&b)[4], Number (&v)[3]) {
   const Number a_vector[3] = {a[1], a[2], a[3]}, b_vector[3] = {b[1], b[2], b[3]};
   Number turned[3];
   cross<Arithmetic>(a_vector, b_vector, turned);
@@ -33,7 +33,7 @@ void relative_vector_part(const Number (&a)[4], const Number (&b)[4], Number (&v
 
 // q v q*: a body vector in the world frame.
 template <class Arithmetic, class Number>
-void rotate_to_world(const Number (&q)[4], Number (&v)[3]) {
+QTRAJ_INLINE void rotate_to_world(const Number (&q)[4], Number (&v)[3]) {
   const Number u[3] = {q[1], q[2], q[3]};
   Number once[3], twice[3];
   cross<Arithmetic>(u, v, once);
@@ -45,8 +45,8 @@ void rotate_to_world(const Number (&q)[4], Number (&v)[3]) {
 // A polynomial with vector coefficients and its first two derivatives, by Horner's scheme; the value as vector_horner
 // has it.
 template <class Arithmetic, class Number, size_t Terms, size_t Size>
-void polynomial_jet(const Number (&c)[Terms][Size], Number x, Number (&value)[Size], Number (&first)[Size],
-                    Number (&second)[Size]) {
+QTRAJ_INLINE void polynomial_jet(const Number (&c)[Terms][Size], Number x, Number (&value)[Size], Number (&first)[Size],
+                                 Number (&second)[Size]) {
   using Real = Element<Number>;
   vector_horner<Arithmetic>(c, x, value);
   for (size_t k = 0; k < Size; ++k) {

@@ -9,7 +9,8 @@ static_assert(HWY_TARGET == HWY_NEON, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kNeonKernel = {"neon fused", sample_batch<Fused, double>, sample_batch<Fused, float>};
+const Kernel kNeonKernel = {"neon fused", sample_batch<Fused, double>, sample_batch<Fused, float>,
+                            sample_at<Fused, double>, sample_at<Fused, float>};
 
 }  // namespace qtraj
 

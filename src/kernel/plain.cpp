@@ -2,7 +2,8 @@
 
 namespace qtraj {
 
-const Kernel kScalarKernel = {"scalar plain", sample<Plain, double>, sample<Plain, float>};
+const Kernel kScalarKernel = {"scalar plain", sample<Plain, double>, sample<Plain, float>, sample_at<Plain, double>,
+                              sample_at<Plain, float>};
 
 bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
                     SegmentMotion& motion) {

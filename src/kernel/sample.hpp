@@ -165,6 +165,22 @@ Wanted wanted_of(const SampleOutputs<Real>& outputs) {
 }
 
 template <class Arithmetic, class Real>
+Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
+  return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {
+    using Evaluator = std::decay_t<decltype(evaluator)>;
+    const Wanted wanted = wanted_of(outputs);
+    Outcome outcome = {Status::ok, kNoIndex};
+    if (wanted.omega || wanted.alpha)
+      sample_row(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted), time, 0, cursor, outputs,
+                 outcome);
+    else
+      sample_row(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted), time, 0, cursor, outputs,
+                 outcome);
+    return outcome.status;
+  });
+}
+
+template <class Arithmetic, class Real>
 Outcome sample(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
                const SampleOutputs<Real>& outputs) {
   return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {

@@ -9,7 +9,8 @@ static_assert(HWY_TARGET == HWY_SSSE3, "compiled with the flags of another targe
 
 namespace qtraj {
 
-const Kernel kSsse3Kernel = {"ssse3 plain", sample_batch<Plain, double>, sample_batch<Plain, float>};
+const Kernel kSsse3Kernel = {"ssse3 plain", sample_batch<Plain, double>, sample_batch<Plain, float>,
+                             sample_at<Plain, double>, sample_at<Plain, float>};
 
 }  // namespace qtraj
 

@@ -10,9 +10,6 @@
 
 #include "arithmetic.hpp"
 
-// Always inlined: vectors as arguments of a call would go through memory.
-#define QTRAJ_INLINE inline __attribute__((always_inline))
-
 namespace qtraj {
 namespace {
 
@@ -35,6 +32,11 @@ QTRAJ_INLINE bool all(WideMask<Real> mask) {
 template <class Real>
 QTRAJ_INLINE WideMask<Real> operator&(WideMask<Real> a, WideMask<Real> b) {
   return {hn::And(a.lanes, b.lanes)};
+}
+
+template <class Real>
+QTRAJ_INLINE WideMask<Real> operator|(WideMask<Real> a, WideMask<Real> b) {
+  return {hn::Or(a.lanes, b.lanes)};
 }
 
 template <class Real>
