@@ -105,6 +105,7 @@ int main(void) {
   check_closed_curves();
   check_errors();
   check_guarantees();
+  check_arrays();
   printf("%d claims of README.md are not so\n", failures);
   return failures != 0;
 }

@@ -43,5 +43,6 @@ void check_rates(void);
 void check_closed_curves(void);
 void check_errors(void);
 void check_guarantees(void);
+void check_arrays(void);
 
 #endif
