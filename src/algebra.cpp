@@ -117,13 +117,16 @@ Outcome distance(const Rows<4>& a, const Rows<4>& b, size_t count, const OutputR
   });
 }
 
+double rotation_angle(const Quaternion& a, const Quaternion& b) {
+  const Chords chord = chords(a, b);
+  // near a half turn the first doubles may tie
+  const bool near = (chord.difference.value - chord.sum.value) + (chord.difference.error - chord.sum.error) <= 0;
+  return 4.0 * (near ? precise_atan2(chord.difference, chord.sum) : precise_atan2(chord.sum, chord.difference)).value;
+}
+
 Outcome rotation_angle(const Rows<4>& a, const Rows<4>& b, size_t count, const OutputRows<1>& angle_out) {
-  return for_each_pair(a, b, count, angle_out, [](const Quaternion& from, const Quaternion& to) {
-    const Chords chord = chords(from, to);
-    // near a half turn the first doubles may tie
-    const bool near = (chord.difference.value - chord.sum.value) + (chord.difference.error - chord.sum.error) <= 0;
-    return 4.0 * (near ? precise_atan2(chord.difference, chord.sum) : precise_atan2(chord.sum, chord.difference)).value;
-  });
+  return for_each_pair(a, b, count, angle_out,
+                       [](const Quaternion& from, const Quaternion& to) { return rotation_angle(from, to); });
 }
 
 }  // namespace qtraj

@@ -2,7 +2,7 @@
 
 #include <cfloat>
 
-#include "qtraj/elementary.hpp"
+#include "qtraj/algebra.hpp"
 #include "qtraj/error_free.hpp"
 #include "qtraj/key_rows.hpp"
 #include "qtraj/knots.hpp"
@@ -113,13 +113,6 @@ size_t nearest_sample(const Samples& samples, double time) {
   if (later == 0) return 0;
   if (later == samples.count) return later - 1;
   return is_nearer_to_earlier(time, samples.times[later - 1], samples.times[later]) ? later - 1 : later;
-}
-
-// Angle of the rotation between two good keys: the shorter of a - b and a + b decides, so that it never exceeds pi.
-double rotation_angle(const Quaternion& a, const Quaternion& b) {
-  const UnitQuaternion from = normalize(a).unit, to = normalize(b).unit;
-  const double chord = length(difference(to, from)), opposite = length(sum(to, from));
-  return 4.0 * atan2(std::min(chord, opposite), std::max(chord, opposite));
 }
 
 }  // namespace

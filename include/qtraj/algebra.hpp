@@ -35,6 +35,7 @@ Outcome distance(const Rows<4>& a, const Rows<4>& b, size_t count, const OutputR
 
 // Angle, rad, in [0, pi], of the rotation that takes a to b: twice the distance from a to the nearer of b and -b. The
 // same bounds.
+double rotation_angle(const Quaternion& a, const Quaternion& b);  // finite, not 0
 Outcome rotation_angle(const Rows<4>& a, const Rows<4>& b, size_t count, const OutputRows<1>& angle_out);
 
 }  // namespace qtraj

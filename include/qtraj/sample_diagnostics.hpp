@@ -46,7 +46,7 @@ Outcome velocity_jumps(const Samples& samples, const double* knots, size_t knot_
 
 // Row k: angle, rad in [0, pi], of the rotation between keys.q_wb[k] and the sample nearest to keys.times[k], the
 // earlier one in an exact tie; index (may be null) is that sample's, kNoIndex in rows at fault. Key times may be any
-// finite numbers in any order. Within 4 eps of the angle plus 1e-30. Indices count keys, then samples. count >= 1.
+// finite numbers in any order. The error is that of rotation_angle. Indices count keys, then samples. count >= 1.
 Outcome keyframe_errors(const Samples& keys, const Samples& samples, const OutputRows<1>& error, size_t* index);
 
 }  // namespace qtraj
