@@ -15,11 +15,20 @@ constexpr Real opposite_limit() {
   return sizeof(Real) == sizeof(double) ? static_cast<Real>(0x1p-26) : static_cast<Real>(0x1p-12);
 }
 
+// Cosine and sine on the arc between the keys, |x| <= pi/4, and on the one between the controls, |x| <= pi/2.
+template <class Number>
+struct CosSin {
+  Number c, s;
+};
 template <class Arithmetic, class Number>
-QTRAJ_INLINE void sample_arc(const typename NestedArcsSegmentOf<Number>::Arc& arc, Number s, Number (&q)[4]) {
-  const Number x = s * arc.half_angle;
+QTRAJ_INLINE CosSin<Number> on_keys_arc(Number x) {
   const Number y = x * x;
-  combine<Arithmetic>(arc.m, evaluate<Arithmetic, CosHalf>(y), arc.e, x * evaluate<Arithmetic, SincHalf>(y), q);
+  return {evaluate<Arithmetic, CosArc>(y), x * evaluate<Arithmetic, SincArc>(y)};
+}
+template <class Arithmetic, class Number>
+QTRAJ_INLINE CosSin<Number> on_controls_arc(Number x) {
+  const Number y = x * x;
+  return {evaluate<Arithmetic, CosHalf>(y), x * evaluate<Arithmetic, SincHalf>(y)};
 }
 
 // slerp(p, c; f) for f in [0, 1/2] without an arc function of a rounded dot product. With z = cos(theta/2) = |p + c|/2
@@ -49,19 +58,17 @@ QTRAJ_INLINE void slerp_between(const Number (&p)[4], const Number (&c)[4], Numb
   newton_normalize<Arithmetic>(q);
 }
 
-// Sines and cosines of both arcs at s, and the rates of their angles in s.
+// Cosines and sines of both arcs at s, and the rates of their angles in s.
 template <class Number>
 struct ArcPair {
-  Number c, s, keys_rate;  // of the arc between the keys
-  Number control_c, control_s, controls_rate;
+  CosSin<Number> keys, controls;
+  Number keys_rate, controls_rate;
 };
 template <class Arithmetic, class Number>
 QTRAJ_INLINE ArcPair<Number> arc_pair(const NestedArcsSegmentOf<Number>& segment, Number s) {
-  const auto cosine_of = [](Number x) { return evaluate<Arithmetic, CosHalf>(x * x); };
-  const auto sine_of = [](Number x) { return x * evaluate<Arithmetic, SincHalf>(x * x); };
   const Number keys_rate = segment.keys.half_angle, controls_rate = segment.controls.half_angle;
-  const Number x = s * keys_rate, control_x = s * controls_rate;
-  return {cosine_of(x), sine_of(x), keys_rate, cosine_of(control_x), sine_of(control_x), controls_rate};
+  return {on_keys_arc<Arithmetic>(s * keys_rate), on_controls_arc<Arithmetic>(s * controls_rate), keys_rate,
+          controls_rate};
 }
 
 // A sum a0 c C + a1 c S + a2 s C + a3 s S over the products of the arcs' cosines and sines, and its derivatives in s.
@@ -73,8 +80,8 @@ template <class Arithmetic, class Number>
 QTRAJ_INLINE Jet<Number> product_sum(const ArcPair<Number>& arcs, Number a0, Number a1, Number a2, Number a3) {
   const auto sum = [&](Number b0, Number b1, Number b2, Number b3) {
     const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
-    return add(arcs.c, add(b1, arcs.control_s, b0 * arcs.control_c),
-               arcs.s * add(b3, arcs.control_s, b2 * arcs.control_c));
+    return add(arcs.keys.c, add(b1, arcs.controls.s, b0 * arcs.controls.c),
+               arcs.keys.s * add(b3, arcs.controls.s, b2 * arcs.controls.c));
   };
   const Number x = arcs.keys_rate, y = arcs.controls_rate;
   const Number squares = x * x + y * y, twice = Number(Element<Number>(2)) * x * y;
@@ -158,8 +165,9 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number s, Number (&q)[4]) const {
     using Real = Element<Number>;
     Number p[4], c[4];
-    sample_arc<Arithmetic>(segment.keys, s, p);
-    sample_arc<Arithmetic>(segment.controls, s, c);
+    const ArcPair<Number> arcs = arc_pair<Arithmetic>(segment, s);
+    combine<Arithmetic>(segment.keys.m, arcs.keys.c, segment.keys.e, arcs.keys.s, p);
+    combine<Arithmetic>(segment.controls.m, arcs.controls.c, segment.controls.e, arcs.controls.s, c);
     slerp_between<Arithmetic>(p, c, Arithmetic::multiply_add(Number(Real(-0.5)) * s, s, Number(Real(0.5))), q);
   }
 
