@@ -31,13 +31,13 @@ Worst worst_of_karcher(int sets, double widest) {
     const wide::Quaternion q = wide::quaternion(mean.q.data());
     const wide::KarcherMean expected = wide::karcher_mean(samples, q, 2);
     const double promise = 6e-16 / static_cast<double>(expected.curvature) + kHalfUlp<Real>;
-    worst.error = std::max(worst.error, difference(mean.q, expected.q) / promise);
-    worst.norm_error = std::max(worst.norm_error, std::abs(static_cast<double>(wide::norm(q)) - 1) / eps);
-    worst.residual = std::max(worst.residual, mean.residual / (4 * eps));
+    test::raise_to(worst.error, difference(mean.q, expected.q) / promise);
+    test::raise_to(worst.norm_error, std::abs(static_cast<double>(wide::norm(q)) - 1) / eps);
+    test::raise_to(worst.residual, mean.residual / (4 * eps));
     size_t first = 0;
     while (samples.weight(first) == 0) ++first;
     const wide::Quaternion first_q = wide::normalized(wide::quaternion(&samples.q[4 * first]));
-    worst.wrong_sign = std::max(worst.wrong_sign, -static_cast<double>(wide::dot(first_q, q)) / eps);
+    test::raise_to(worst.wrong_sign, -static_cast<double>(wide::dot(first_q, q)) / eps);
   }
   return worst;
 }

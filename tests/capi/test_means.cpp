@@ -61,11 +61,11 @@ Worst worst_of_eigen(int sets, double widest) {
     if (mean.status != QTRAJ_OK) continue;
     const wide::EigenMean expected = wide::eigen_mean(wide::scatter(samples));
     const double gap = static_cast<double>(expected.eigengap), promise = 4e-16 + 4e-16 / gap + kHalfUlp<Real>;
-    worst.error = std::max(worst.error, difference(mean.q, expected.q) / promise);
-    worst.gap_error = std::max(worst.gap_error, std::abs(mean.eigengap - gap));
+    test::raise_to(worst.error, difference(mean.q, expected.q) / promise);
+    test::raise_to(worst.gap_error, std::abs(mean.eigengap - gap));
     const double norm = static_cast<double>(wide::norm(wide::quaternion(mean.q.data())));
-    worst.norm_error = std::max(worst.norm_error, std::abs(norm - 1) / double(std::numeric_limits<Real>::epsilon()));
-    worst.wrong_sign = std::max(worst.wrong_sign, -dot_with(samples, first_weighted(samples), mean.q));
+    test::raise_to(worst.norm_error, std::abs(norm - 1) / double(std::numeric_limits<Real>::epsilon()));
+    test::raise_to(worst.wrong_sign, -dot_with(samples, first_weighted(samples), mean.q));
   }
   return worst;
 }

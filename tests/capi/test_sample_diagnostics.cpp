@@ -3,17 +3,13 @@
 
 #include "support/capi_samples.hpp"
 #include "support/long_double.hpp"
+#include "support/worst.hpp"
 
 using namespace capi;
 
 namespace {
 
 constexpr double kEps = DBL_EPSILON;
-
-// Not a number counts as infinite.
-void raise(double& worst, wide::Real value) {
-  if (!(value <= worst)) worst = std::isnan(value) ? HUGE_VAL : static_cast<double>(value);
-}
 
 // The same by formulas in long double, the products of the keys to twice its digits.
 // Source: T. Ogita, S. M. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Dot2.
@@ -106,9 +102,9 @@ TEST_CASE("C API: estimated rates are within 6 eps at any angle, in both frames"
       // half a turn to rounding: either direction
       if (error > 1e-3 * static_cast<double>(wide::norm(expected)))
         error = std::min(error, wide::error(omega, wide::scaled(-1, expected)));
-      raise(worst, error / allowed_error(samples, k, expected));
+      test::raise_to(worst, error / allowed_error(samples, k, expected));
       const long double middle = 0.5L * samples.times[k] + 0.5L * samples.times[k + 1];
-      raise(worst_time, std::abs(rates.t_mid[k] - middle) / (1e-300L + std::abs(middle)));
+      test::raise_to(worst_time, std::abs(rates.t_mid[k] - middle) / (1e-300L + std::abs(middle)));
     }
   }
   CHECK(worst <= 1);
@@ -177,12 +173,13 @@ TEST_CASE("C API: the energy is that of rates within 6 eps of theirs", "[capi][s
       allowed += (2 * size * off + off * off + 8 * kEps * size * size) / between;
       last = rate;
     }
-    raise(worst, std::abs(energy - expected) / (allowed + 1e-300L));
+    test::raise_to(worst, std::abs(energy - expected) / (allowed + 1e-300L));
   }
   CHECK(worst <= 1);
 }
 
-TEST_CASE("C API: keyframe errors are within 0.75 eps of the angle to the nearest sample", "[capi][sample_diagnostics]") {
+TEST_CASE("C API: keyframe errors are within 0.75 eps of the angle to the nearest sample",
+          "[capi][sample_diagnostics]") {
   test::Random random(36);
   double worst = 0;
   size_t wrong_index = 0;
@@ -209,7 +206,7 @@ TEST_CASE("C API: keyframe errors are within 0.75 eps of the angle to the neares
       if (index[i] != nearest) ++wrong_index;
       const wide::Quaternion turn = relative(&keys.q[4 * i], &samples.q[4 * nearest], QTRAJ_FRAME_BODY);
       const wide::Real angle = 2 * std::atan2(wide::norm(wide::vector_part(turn)), std::abs(turn[0]));
-      raise(worst, std::abs(errors[i] - angle) / (0.75L * kEps * angle + 1e-30L));
+      test::raise_to(worst, std::abs(errors[i] - angle) / (0.75L * kEps * angle + 1e-30L));
       if (!(errors[i] >= 0 && errors[i] <= 3.141592653589793)) ++wrong_index;
     }
   }

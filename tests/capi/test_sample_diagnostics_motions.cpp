@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "support/capi_samples.hpp"
+#include "support/worst.hpp"
 
 using namespace capi;
 
@@ -36,7 +37,7 @@ TEST_CASE("C API: a curve of constant rate has that rate, no energy and no jump"
     const EstimatedRates rates = estimate(samples, frame);
     CHECK(rates.status == QTRAJ_OK);
     double worst = 0;
-    for (size_t k = 0; k < 29; ++k) worst = std::max(worst, error_of(&rates.omega[3 * k], expected));
+    for (size_t k = 0; k < 29; ++k) test::raise_to(worst, error_of(&rates.omega[3 * k], expected));
     CHECK(worst <= 1e-13);
     CHECK(energy_of(samples, frame) <= 1e-22);
     const std::vector<double> inner(samples.times.begin() + 2, samples.times.end() - 2);
@@ -55,7 +56,7 @@ TEST_CASE("C API: constant acceleration gives its rate at mid-times and its ener
     const EstimatedRates rates = estimate(samples, frame);
     double worst = 0;
     for (size_t k = 0; k < 29; ++k)
-      worst = std::max(worst, error_of(&rates.omega[3 * k], along(turned, kAlpha * rates.t_mid[k])));
+      test::raise_to(worst, error_of(&rates.omega[3 * k], along(turned, kAlpha * rates.t_mid[k])));
     CHECK(worst <= 1e-13);
     const double expected = kAlpha * kAlpha * (rates.t_mid.back() - rates.t_mid.front());
     CHECK(std::abs(energy_of(samples, frame) - expected) <= 1e-12 * expected);

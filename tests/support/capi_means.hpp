@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/hard_inputs.hpp"
+#include "support/worst.hpp"
 
 namespace capi {
 
@@ -88,8 +89,8 @@ template <class A, class B>
 double difference(const A& a, const B& b) {
   double minus = 0, plus = 0;
   for (size_t k = 0; k < 4; ++k) {
-    minus = std::max(minus, std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k])));
-    plus = std::max(plus, std::abs(static_cast<double>(a[k]) + static_cast<double>(b[k])));
+    test::raise_to(minus, std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k])));
+    test::raise_to(plus, std::abs(static_cast<double>(a[k]) + static_cast<double>(b[k])));
   }
   return std::min(minus, plus);
 }

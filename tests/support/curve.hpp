@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/trajectory.hpp"
+#include "support/worst.hpp"
 
 namespace test {
 
@@ -52,11 +53,6 @@ inline std::vector<Variant> all_variants() {
     }
   }
   return variants;
-}
-
-// Raises `worst` to a value; not a number counts as infinite.
-inline void raise_to(double& worst, double value) {
-  if (!(value <= worst)) worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
 struct Curve {

@@ -19,7 +19,10 @@ struct Worst {
   size_t row = 0;
 
   void add(size_t at, double error, double bound) {
-    if (!(error <= ratio * bound)) ratio = error / bound, row = at;
+    if (error <= ratio * bound) return;
+    // not a number would make every later comparison false
+    ratio = std::isnan(error) ? std::numeric_limits<double>::infinity() : error / bound;
+    row = at;
   }
 };
 

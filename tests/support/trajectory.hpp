@@ -9,6 +9,7 @@
 
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/worst.hpp"
 
 namespace test {
 
@@ -111,7 +112,7 @@ class Trajectory {
 
 inline double largest_difference(const Quaternion& a, const Quaternion& b) {
   double largest = 0;
-  for (size_t k = 0; k < 4; ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  for (size_t k = 0; k < 4; ++k) raise_to(largest, std::abs(a[k] - b[k]));
   return largest;
 }
 
