@@ -28,6 +28,13 @@ inline Argument optional(Argument argument) {
   return argument;
 }
 
+// An array that no other may be, even one of as many rows: as bytes it has no other's type.
+inline Argument apart(Argument argument) {
+  argument.width *= argument.element_bytes;
+  argument.element_bytes = 1;
+  return argument;
+}
+
 // Rows of an input that has a count of its own: none where the call has none.
 inline size_t rows_of(size_t own_count, size_t count) { return count == 0 ? 0 : own_count; }
 inline bool serves(size_t own_count, size_t count) { return own_count == 1 || own_count == count; }

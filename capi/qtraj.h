@@ -261,8 +261,8 @@ QTRAJ_API qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, dou
 /* ---- Pairs: inputs of any norm but 0; any real fraction ---- */
 
 /* q_out [count][4] on the arc from a [4], fraction 0, to b [4], fraction 1. SHORTEST: to b or -b, whichever is nearer
- * (half a turn apart: b). AS_GIVEN with b = -a: AMBIGUOUS, a turn of the body about its x axis. A fault of a or b is
- * one of every row. */
+ * (half a turn apart, to 4 eps: b). AS_GIVEN with b = -a to 1e-14 rad, also in float: AMBIGUOUS, a turn of the body
+ * about its x axis. A fault of a or b is one of every row. */
 QTRAJ_API qtraj_status qtraj_slerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
                                    double* q_out, size_t* bad_index);
 QTRAJ_API qtraj_status qtraj_slerp_f32(const float* a, const float* b, const float* fraction, size_t count,
@@ -355,11 +355,12 @@ QTRAJ_API qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t coun
 QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matrix_out, size_t* bad_index);
 /* Unit quaternion, w >= 0, of the matrix. */
 QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index);
-/* q', q'' [count][4] from omega, alpha [count][3] in frame; alpha and ddq_out NULL together. */
+/* q', q'' [count][4] of q / |q| from omega, alpha [count][3] in frame; alpha and ddq_out NULL together. */
 QTRAJ_API qtraj_status qtraj_derivatives_from_rates(const double* q_wb, int32_t frame, const double* omega,
                                                     const double* alpha, size_t count, double* dq_out, double* ddq_out,
                                                     size_t* bad_index);
-/* omega, alpha from q', q''; the part along q is ignored; ddq and alpha_out NULL together. */
+/* omega, alpha of the curve q / |q| from q and its own derivatives q', q'': what changes its norm is ignored; ddq and
+ * alpha_out NULL together. */
 QTRAJ_API qtraj_status qtraj_rates_from_derivatives(const double* q_wb, int32_t frame, const double* dq,
                                                     const double* ddq, size_t count, double* omega_out,
                                                     double* alpha_out, size_t* bad_index);

@@ -12,13 +12,6 @@ bool is_known_frame(int32_t frame) { return is_known(static_cast<Frame>(frame));
 
 Samples samples(const double* times, const double* q_wb, size_t count) { return {times, capi::rows<4>(q_wb), count}; }
 
-// An array that no other may be, even one of as many rows: as bytes it has no other's type.
-capi::Argument apart(capi::Argument argument) {
-  argument.width *= argument.element_bytes;
-  argument.element_bytes = 1;
-  return argument;
-}
-
 }  // namespace
 
 extern "C" {
@@ -56,8 +49,8 @@ qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q,
                                    size_t* bad_index) {
   // sample times are read for every row
   return capi::call(
-      {input(key_times, key_count, 1), input(key_q, key_count, 4), apart(input(times, count, 1)), input(q_wb, count, 4),
-       output(error_out, key_count, 1), optional(apart(output(index_out, key_count, 1)))},
+      {input(key_times, key_count, 1), input(key_q, key_count, 4), capi::apart(input(times, count, 1)),
+       input(q_wb, count, 4), output(error_out, key_count, 1), optional(capi::apart(output(index_out, key_count, 1)))},
       {count >= 1 || key_count == 0}, bad_index, [&] {
         return keyframe_errors(samples(key_times, key_q, key_count), samples(times, q_wb, count),
                                capi::output_rows<1>(error_out), index_out);

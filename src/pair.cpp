@@ -39,7 +39,7 @@ Pair make_pair(const Quaternion& a_given, const Quaternion& b_given, Path path) 
     cosine = -cosine;
   }
   const Vector3 axis = sine == 0 ? Vector3(Vector3::Zero()) : Vector3(v / sine);
-  return {a / length(a), b / length(b), axis, sine, cosine};
+  return {rounded(normalize(a).unit), rounded(normalize(b).unit), axis, sine, cosine};
 }
 
 Status read_pair(const Rows<4>& a, const Rows<4>& b, size_t row, Path path, Pair& pair) {

@@ -1,9 +1,8 @@
 #include "qtraj/quaternion.hpp"
 
 #include <cfloat>
-#include <cstdint>
-#include <cstring>
 
+#include "qtraj/floating.hpp"
 #include "qtraj/precise.hpp"
 
 namespace qtraj {
@@ -32,14 +31,7 @@ double scale_for(double largest) {
 
 Quaternion scaled_to_one(const Quaternion& q) {
   const Quaternion scaled = scale_for(largest_component(q)) * q;
-  // the power of two from the exponent's bits, whose bias is 1023
-  const double largest = largest_component(scaled);
-  uint64_t bits;
-  std::memcpy(&bits, &largest, sizeof bits);
-  bits = (2046 - (bits >> 52)) << 52;
-  double scale;
-  std::memcpy(&scale, &bits, sizeof scale);
-  return scale * scaled;
+  return normalizing_scale(largest_component(scaled)) * scaled;
 }
 
 Normalized normalize(const Quaternion& q) {

@@ -1,24 +1,8 @@
 #include "qtraj/weighted_orientations.hpp"
 
-#include <cstring>
+#include <cfloat>
 
 namespace qtraj {
-namespace {
-
-// 2^-e for a largest weight in [2^e, 2^(e+1)); 2^1023 for a subnormal, 2^-1022 for one of 2^1023 and more.
-double scale_of_weights(double largest) {
-  uint64_t bits;
-  std::memcpy(&bits, &largest, sizeof bits);
-  constexpr uint64_t kLargestExponent = 2046;
-  const uint64_t exponent = std::max<uint64_t>(kLargestExponent - (bits >> 52), 1);
-  bits = exponent << 52;
-  double scale;
-  std::memcpy(&scale, &bits, sizeof scale);
-  return scale;
-}
-
-}  // namespace
-
 Quaternion unit(const Quaternion& q) {
   const Quaternion scaled = scale_for(largest_component(q)) * q;
   return scaled / length(scaled);
@@ -37,7 +21,7 @@ Outcome WeightedOrientations::check() {
     largest = std::max(largest, weight);
   }
   if (largest == 0) return {Status::zero_norm, kNoIndex};
-  weight_scale = scale_of_weights(largest);
+  weight_scale = normalizing_scale(largest);
   return {};
 }
 

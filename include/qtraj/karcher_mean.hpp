@@ -8,8 +8,8 @@
 namespace qtraj {
 
 struct KarcherSettings {
-  double
-      tolerance;  // length of a step, rad on S^3, at which a descent ends; at least 4 eps of the samples' type is used
+  // Length of a step, rad on S^3, at which a descent ends; at least 4 eps of the samples' type is used.
+  double tolerance;
   int32_t max_iterations;  // of each descent
 
   // tolerance finite and >= 0, max_iterations >= 1.
@@ -37,9 +37,10 @@ struct KarcherMean {
 // starts around the eigenvectors, and the least f is judged. ok is proven to be the one global minimum; ambiguous, with
 // the best mean found, covers ties and sets so wide that no proof was found.
 //
-// Singular: two samples a half turn apart are ambiguous at any weights, as both ways round are equally long. A descent
-// from the eigen mean, or to the least f, that reaches max_iterations: no_convergence with the last iterate. A sample
-// at fault or weights that are all 0: q and residual are NaN, iterations 0.
+// Singular: two samples a half turn apart are ambiguous at any weights above 0 (weighted_orientations.hpp), as both
+// ways round are equally long. A descent from the eigen mean, or to the least f, that reaches max_iterations:
+// no_convergence with the last iterate. A sample at fault or weights that are all 0: q and residual are NaN, iterations
+// 0.
 KarcherMean mean_karcher(WeightedOrientations samples, const KarcherSettings& settings);
 
 }  // namespace qtraj

@@ -8,8 +8,7 @@
 //     velocity_jumps and keyframe_errors are NaN. smoothness_energy is one row that uses all samples.
 //   - The outcome is that of the lowest index at fault; indices count the arguments' elements in their order.
 //   - Neighbours with <q_k, q_{k+1}> < 0 are taken with one sign changed; a tie keeps the given signs. Neighbours half
-//   a
-//     turn apart, |<q_k, q_{k+1}>| <= 4 eps |q_k| |q_{k+1}|, turn in a direction that is a matter of rounding: what
+//     a turn apart, |<q_k, q_{k+1}>| <= 4 eps |q_k| |q_{k+1}|, turn in a direction that is a matter of rounding: what
 //     rests on it is ambiguous, at the index of the later sample or, in velocity_jumps, of the knot.
 #pragma once
 

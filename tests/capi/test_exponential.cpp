@@ -145,6 +145,27 @@ TEST_CASE("C API: exp inverts log, and log inverts exp to 2 eps below pi, exactl
   CHECK(worst_back.ratio <= 1);
 }
 
+TEST_CASE("C API: log folds exp of a vector at and past pi to the other side", "[capi][exponential]") {
+  Random random(36);
+  Worst worst, worst_length;
+  for (size_t i = 0; i < 200000; ++i) {
+    const Vector direction = hard_direction(random);
+    const double distance = std::pow(10.0, random.uniform(-15, -0.5));  // from pi
+    const double length = i % 2 == 0 ? 3.141592653589793 - distance : 3.141592653589793 + distance;
+    const double v[3] = {length * direction[0], length * direction[1], length * direction[2]};
+    double q[4], back[3];
+    REQUIRE(qtraj_exp(v, 1, q, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_log(q, 1, back, nullptr) == QTRAJ_OK);
+    const wide::Real exact = wide::norm(wide::vector(v)), folded = exact < wide::kPi ? exact : exact - 2 * wide::kPi;
+    // q is rounded, and where its vector part is short so is the direction it tells
+    const double turned = 4 * kEps / static_cast<double>(std::abs(wide::kPi - exact));
+    worst.add(i, wide::error(back, wide::scaled(folded / exact, wide::vector(v))), 2 * kEps + 3.1416 * turned);
+    worst_length.add(i, static_cast<double>(std::abs(wide::norm(wide::vector(back)) - std::abs(folded))), 2 * kEps);
+  }
+  CHECK(worst.ratio <= 1);
+  CHECK(worst_length.ratio <= 1);
+}
+
 TEST_CASE("C API: pow is within 1.5 eps and a quarter eps of the angle up to 2^26 rad", "[capi][exponential]") {
   Random random(34);
   const std::vector<double>& q = hard_quaternions();
