@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# run.sh [--large]: builds and runs all benchmarks and writes results.md beside this file. --large: M = 1e8 too, which
+# needs 4 GB. Installs what is missing (Debian, Ubuntu). Other work on the machine changes the results.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source tests/support/apt_packages.sh
+
+large=()
+case "${1-}" in
+  '') ;;
+  --large) large=(--large) ;;
+  *) echo "usage: bench/run.sh [--large]" >&2; exit 1 ;;
+esac
+
+need_packages cmake g++ ninja-build libeigen3-dev libhwy-dev libbenchmark-dev libglm-dev libboost-dev python3 \
+  python3-scipy
+python=/usr/bin/python3  # SciPy comes with the system's Python
+[ -x "$python" ] || python=python3
+
+build=build/bench
+cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DQTRAJ_BUILD_TESTS=OFF -DQTRAJ_INSTALL=OFF \
+  -DQTRAJ_BUILD_BENCH=ON
+cmake --build $build --target qtraj_bench_program
+
+# The kernel of this CPU does everything; of the others the rows that have a target, or the headline, are enough.
+headline='/K:1000/M:100000/|^(slerp|squad)_f../(sorted|random)/warm/K:1000/M:1000000/|^slerp_f64/sorted/warm/K:1000/M:10000000/'
+headline+='|^sample_at|^create_rotation_spline_f64/.*/K:10+/|^(slerp_pairs|mean_eigen|karcher_step).*/M:1000000/'
+mapfile -t targets < <("$build/bench/qtraj_bench" --list-targets)
+results=()
+for target in "${targets[@]}"; do
+  name=$build/${target// /_}
+  options=("${large[@]}")
+  [ "$target" = "${targets[0]}" ] || options=("--benchmark_filter=$headline")
+  echo "== $target"
+  "$build/bench/qtraj_bench" --target="$target" "${options[@]}" --benchmark_repetitions=9 --benchmark_min_time=0.01 \
+    --benchmark_enable_random_interleaving=true --benchmark_out="$name.json" --benchmark_out_format=json \
+    --benchmark_display_aggregates_only=true >"$name.log"
+  results+=("$name.json")
+  # fused kernels have targets against SciPy
+  case "$target" in *fused)
+    "$python" -I bench/scipy_peers.py "$build/bench/libqtraj_bench.so" "$target" "${name}_scipy.json"
+    results+=("${name}_scipy.json") ;;
+  esac
+done
+"$python" -I bench/report.py bench/results.md "${results[@]}"
+echo "Wrote bench/results.md"
