@@ -22,7 +22,7 @@ void add_creation(const char* name, int32_t method, size_t key_count) {
 void add_construction() {
   for (const size_t key_count : {100, 1000, 10000, 100000, 1000000})
     add_creation("rotation_spline", QTRAJ_ROTATION_SPLINE, key_count);
-  for (const size_t key_count : {1000, 1000000}) {
+  for (const size_t key_count : {1000, 100000}) {
     add_creation("slerp", QTRAJ_SLERP, key_count);
     add_creation("squad", QTRAJ_SQUAD, key_count);
     add_creation("log_spline", QTRAJ_LOG_SPLINE, key_count);

@@ -65,7 +65,7 @@ void add_type(const Settings& settings) {
     if (samples < 1000000) continue;
     const Case fresh = {work, 1000, samples, Order::sorted, Memory::fresh};
     add_ours<Real>(fresh, QTRAJ_SLERP);
-    add_eigen<Real>(fresh);
+    if (samples == 1000000) add_eigen<Real>(fresh);
     add_bytes<Real>(fresh);
   }
 

@@ -22,17 +22,21 @@ cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DQTRAJ_BUILD_TESTS=OFF
   -DQTRAJ_BUILD_BENCH=ON
 cmake --build $build --target qtraj_bench_program
 
-# The kernel of this CPU does everything; of the others the rows that have a target, or the headline, are enough.
-headline='/K:1000/M:100000/|^(slerp|squad)_f../(sorted|random)/warm/K:1000/M:1000000/|^slerp_f64/sorted/warm/K:1000/M:10000000/'
-headline+='|^sample_at|^create_rotation_spline_f64/.*/K:10+/|^(slerp_pairs|mean_eigen|karcher_step).*/M:1000000/'
+# The kernel of this CPU does everything; other fused ones the rows that have a target; plain ones the headline.
+headline='^(slerp|squad)_f../sorted/warm/K:1000/M:1000000/'
+aimed="$headline|^slerp_f64/(sorted/warm/K:1000/M:(100000|10000000)|random/warm/K:1000/M:1000000)/"
+aimed+='|^sample_at|^create_rotation_spline|^(slerp_pairs|mean_eigen|karcher_step).*/M:1000000/'
 mapfile -t targets < <("$build/bench/qtraj_bench" --list-targets)
 results=()
 for target in "${targets[@]}"; do
   name=$build/${target// /_}
-  options=("${large[@]}")
-  [ "$target" = "${targets[0]}" ] || options=("--benchmark_filter=$headline")
+  case "$target" in
+    "${targets[0]}") options=("${large[@]}") ;;
+    *fused) options=("--benchmark_filter=$aimed") ;;
+    *) options=("--benchmark_filter=$headline") ;;
+  esac
   echo "== $target"
-  "$build/bench/qtraj_bench" --target="$target" "${options[@]}" --benchmark_repetitions=9 --benchmark_min_time=0.01 \
+  "$build/bench/qtraj_bench" --target="$target" "${options[@]}" --benchmark_repetitions=5 --benchmark_min_time=0.01 \
     --benchmark_enable_random_interleaving=true --benchmark_out="$name.json" --benchmark_out_format=json \
     --benchmark_display_aggregates_only=true >"$name.log"
   results+=("$name.json")
