@@ -62,7 +62,7 @@ class Process:
             if run["run_type"] == "iteration":
                 runs[run["run_name"].removesuffix("/manual_time")].append(self.ns_per_sample(run))
         self.medians = defaultdict(dict)
-        for name, values in runs.items():
+        for name, values in sorted(runs.items()):  # interleaved repetitions come in any order
             work, order, memory, keys, samples, who = name.split("/")
             row = Row(work, order, memory, int(keys[2:]), int(samples[2:]))
             self.medians[row][who] = statistics.median(values)

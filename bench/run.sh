@@ -17,7 +17,7 @@ need_packages cmake g++ ninja-build libeigen3-dev libhwy-dev libbenchmark-dev li
 python=/usr/bin/python3  # SciPy comes with the system's Python
 [ -x "$python" ] || python=python3
 
-build=build/bench
+build=build/benchmarks
 cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DQTRAJ_BUILD_TESTS=OFF -DQTRAJ_INSTALL=OFF \
   -DQTRAJ_BUILD_BENCH=ON
 cmake --build $build --target qtraj_bench_program

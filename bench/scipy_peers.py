@@ -24,7 +24,7 @@ except ImportError:
 
 SLERP, LOG_SPLINE, ROTATION_SPLINE = 1, 4, 5
 BODY, SHORTEST = 1, 1
-REPETITIONS = 7
+REPETITIONS = 5
 LEAST_SECONDS = 0.01  # of one timed repetition
 
 
@@ -88,7 +88,7 @@ class Benchmarks:
     def run(self):
         counts = []
         for _, _, function in self.all:
-            function()  # caches and pages
+            # a first call for caches and pages, too
             counts.append(max(1, int(LEAST_SECONDS / max(seconds_of(function, 1), 1e-7))))
         runs = []
         for _ in range(REPETITIONS):
