@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """report.py out.md results.json...: the table of ratios from what the benchmarks and scipy_peers.py measured.
 
-Each JSON file is one process: Google Benchmark's output with repetitions, or the same form from scipy_peers.py. Ours and
-the peer of a row come from one process; the ratio is that of their medians.
+Each JSON file is one process: Google Benchmark's output with repetitions, or the same form from scipy_peers.py. Ours
+and the peer of a row come from one process; the ratio is that of their medians.
 """
 import json
 import statistics
