@@ -165,7 +165,7 @@ TEST_CASE("C API: make_continuous goes by the exact sign of dot products at any 
     const bool is_single = sizeof(Real) == sizeof(float);
     test::Random random(13);
     size_t wrong = 0, ties = 0, close = 0;
-    for (int round = 0; round < 1000; ++round) {
+    for (int round = 0; round < 2000; ++round) {
       constexpr size_t kSeries = 4, kLength = 125, kCount = kSeries * kLength;
       const WholeKeys keys =
           is_single ? whole_keys(random, kCount, 24, -149, 100) : whole_keys(random, kCount, 30, -1074, 990);

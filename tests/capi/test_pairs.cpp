@@ -108,7 +108,7 @@ TEST_CASE("C API: slerp and nlerp pair by pair give the bits of one pair at many
 }
 
 TEST_CASE("C API: float slerp and nlerp are those of double, rounded once", "[capi][pairs]") {
-  const Batch<float> batch = pairs::hard_batch<float>(3, 20000);
+  const Batch<float> batch = pairs::hard_batch<float>(3, 250000);
   const Batch<double> widened = {{batch.a.begin(), batch.a.end()},
                                  {batch.b.begin(), batch.b.end()},
                                  {batch.fractions.begin(), batch.fractions.end()}};

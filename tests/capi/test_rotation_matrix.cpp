@@ -68,7 +68,7 @@ TEST_CASE("C API: matrices of quaternions are within 3 eps, and quaternions of t
 TEST_CASE("C API: a matrix slightly off gives the nearest rotation, within 1 eps", "[capi][matrix]") {
   const HardRows hard(41, 0);
   Random random(42);
-  constexpr size_t kRows = 200000;
+  constexpr size_t kRows = 1000000;
   std::vector<double> matrix, q(4 * kRows);
   matrix.reserve(9 * kRows);
   for (size_t row = 0; row < kRows; ++row) {

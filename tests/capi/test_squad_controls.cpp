@@ -58,14 +58,14 @@ TEST_CASE("C API: squad_controls stays within its bound on random and singular k
   Random random(31);
   double worst = 0, worst_limited = 0, worst_norm = 0;
   size_t limited = 0, ambiguous = 0, wrong_ambiguous = 0;
-  for (int chain = 0; chain < 8000; ++chain) {
+  for (int chain = 0; chain < 84000; ++chain) {  // of twelve keys each
     constexpr size_t kCount = 12;
     const bool is_uniform = chain % 3 == 0;
     std::vector<double> times, q;
     Quaternion key = random.orientation();
     double time = random.uniform(-10, 10);
     for (size_t i = 0; i < kCount; ++i) {
-      const Quaternion given = test::scaled(test::hard_norm(random, 100), key);
+      const Quaternion given = test::scaled(test::hard_norm(random, 160), key);
       q.insert(q.end(), given.begin(), given.end());
       if (!is_uniform) times.push_back(time);
       time += std::pow(10.0, random.uniform(-2, 2));
