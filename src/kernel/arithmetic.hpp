@@ -15,8 +15,13 @@
 #include "coefficients.hpp"
 #include "qtraj/floating.hpp"
 
-// Evaluation is one straight sequence: a vector passed to a call would go through memory.
+// Evaluation is one straight sequence: a vector passed to a call would go through memory. Builds with assertions are
+// for debuggers and sanitizers, which take minutes over such sequences.
+#if defined(NDEBUG)
 #define QTRAJ_INLINE inline __attribute__((always_inline))
+#else
+#define QTRAJ_INLINE inline
+#endif
 
 namespace qtraj {
 namespace {
