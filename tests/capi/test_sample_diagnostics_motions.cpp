@@ -96,6 +96,33 @@ TEST_CASE("C API: a single jump of the rate is found at its knot and nowhere els
   }
 }
 
+TEST_CASE("C API: keyframe errors of known motions are the angles turned since the nearest sample",
+          "[capi][sample_diagnostics]") {
+  test::Random random(38);
+  const test::Quaternion q_start = random.orientation();
+  const test::Vector axis = random.direction();
+  double (*const angles[])(double) = {[](double time) { return 2.5 * time; },
+                                      [](double time) { return 0.35 * time * time; },
+                                      [](double time) { return time < 0 ? time : 3 * time; }};
+  for (double (*angle)(double) : angles) {
+    const test::Keys samples = turning(random, q_start, axis, 30, angle);
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+      const double time = random.uniform(samples.times.front() - 0.1, samples.times.back() + 0.1);
+      const test::Quaternion key = test::multiply(q_start, test::about(axis, angle(time)));
+      size_t nearest = 0, index = SIZE_MAX;
+      for (size_t k = 1; k < samples.count(); ++k)
+        if (std::abs(samples.times[k] - time) < std::abs(samples.times[nearest] - time)) nearest = k;
+      double error = -1;
+      REQUIRE(qtraj_keyframe_errors(&time, key.data(), 1, samples.times.data(), samples.q.data(), samples.count(),
+                                    &error, &index, nullptr) == QTRAJ_OK);
+      REQUIRE(index == nearest);
+      test::raise_to(worst, std::abs(error - std::abs(angle(time) - angle(samples.times[nearest]))));
+    }
+    CHECK(worst <= 1e-14);
+  }
+}
+
 TEST_CASE("C API: signs and norms of samples change no bit of a diagnostic", "[capi][sample_diagnostics]") {
   test::Random random(37);
   const test::Keys samples = test::random_walk(random, 60, 3.0, 0.01, 1);
