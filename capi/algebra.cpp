@@ -7,13 +7,7 @@
 #include "qtraj/rotation_matrix.hpp"
 
 using namespace qtraj;
-using capi::call;
-using capi::input;
-using capi::output;
-using capi::output_rows;
-using capi::rows;
-using capi::rows_of;
-using capi::serves;
+using namespace qtraj::capi;
 
 namespace {
 
@@ -38,9 +32,7 @@ qtraj_status map(Outcome (*core)(const Rows<AWidth>&, const Rows<BWidth>&, size_
 }
 
 // The second of two arrays that are NULL together is as optional as both are.
-capi::Argument with(const void* other, const capi::Argument& argument) {
-  return other ? argument : capi::optional(argument);
-}
+Argument with(const void* other, const Argument& argument) { return other ? argument : optional(argument); }
 
 }  // namespace
 

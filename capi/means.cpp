@@ -30,7 +30,7 @@ template <class Real>
 qtraj_status mean_karcher(const Real* q, const Real* weights, size_t count, const KarcherSettings& settings,
                           Real* mean_out, int32_t* iterations, double* residual, size_t* bad_index) {
   return call({input(q, count, 4), optional(input(weights, count, 1)), output(mean_out, rows_of(1, count), 4),
-               capi::apart(scalar_output(iterations, count)), scalar_output(residual, count)},
+               apart(scalar_output(iterations, count)), scalar_output(residual, count)},
               {count >= 1, settings.is_valid()}, bad_index, [&] {
                 const KarcherMean mean = qtraj::mean_karcher({rows<4>(q), rows<1>(weights), count}, settings);
                 output_rows<4>(mean_out).write(0, mean.q);

@@ -4,40 +4,25 @@
 #include "qtraj/squad_segment.hpp"
 
 using namespace qtraj;
-using capi::call;
-using capi::input;
-using capi::output;
-using capi::output_rows;
-using capi::rows;
-using capi::rows_of;
-using capi::serves;
+using namespace qtraj::capi;
 
 namespace {
 
 using Interpolation = Outcome (*)(const PairRows&, size_t, const OutputRows<4>&);
 
-// One pair that serves all fractions.
+// pair_count, fraction_count: 1 or count.
 template <class Real>
-qtraj_status interpolate_pair(Interpolation interpolation, const Real* a, const Real* b, const Real* fraction,
-                              size_t count, int32_t path, Real* q_out, size_t* bad_index) {
-  const size_t pair_rows = rows_of(1, count);
-  return call({input(a, pair_rows, 4), input(b, pair_rows, 4), input(fraction, count, 1), output(q_out, count, 4)},
-              {true, is_known(static_cast<Path>(path))}, bad_index, [&] {
-                const PairRows pairs = {rows<4>(a, 1), rows<4>(b, 1), rows<1>(fraction), static_cast<Path>(path)};
+qtraj_status interpolate(Interpolation interpolation, const Real* a, const Real* b, size_t pair_count,
+                         const Real* fraction, size_t fraction_count, size_t count, int32_t path, Real* q_out,
+                         size_t* bad_index) {
+  const size_t pair_rows = rows_of(pair_count, count);
+  return call({input(a, pair_rows, 4), input(b, pair_rows, 4), input(fraction, rows_of(fraction_count, count), 1),
+               output(q_out, count, 4)},
+              {serves(fraction_count, count), is_known(static_cast<Path>(path))}, bad_index, [&] {
+                const PairRows pairs = {rows<4>(a, pair_count), rows<4>(b, pair_count),
+                                        rows<1>(fraction, fraction_count), static_cast<Path>(path)};
                 return interpolation(pairs, count, output_rows<4>(q_out));
               });
-}
-
-template <class Real>
-qtraj_status interpolate_pairs(Interpolation interpolation, const Real* a, const Real* b, const Real* fraction,
-                               size_t fraction_count, size_t count, int32_t path, Real* q_out, size_t* bad_index) {
-  return call(
-      {input(a, count, 4), input(b, count, 4), input(fraction, rows_of(fraction_count, count), 1),
-       output(q_out, count, 4)},
-      {serves(fraction_count, count), is_known(static_cast<Path>(path))}, bad_index, [&] {
-        const PairRows pairs = {rows<4>(a), rows<4>(b), rows<1>(fraction, fraction_count), static_cast<Path>(path)};
-        return interpolation(pairs, count, output_rows<4>(q_out));
-      });
 }
 
 }  // namespace
@@ -46,42 +31,42 @@ extern "C" {
 
 qtraj_status qtraj_slerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
                          double* q_out, size_t* bad_index) {
-  return interpolate_pair(slerp, a, b, fraction, count, path, q_out, bad_index);
+  return interpolate(slerp, a, b, 1, fraction, count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_slerp_f32(const float* a, const float* b, const float* fraction, size_t count, int32_t path,
                              float* q_out, size_t* bad_index) {
-  return interpolate_pair(slerp, a, b, fraction, count, path, q_out, bad_index);
+  return interpolate(slerp, a, b, 1, fraction, count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const double* fraction, size_t fraction_count,
                                size_t count, int32_t path, double* q_out, size_t* bad_index) {
-  return interpolate_pairs(slerp, a, b, fraction, fraction_count, count, path, q_out, bad_index);
+  return interpolate(slerp, a, b, count, fraction, fraction_count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, const float* fraction, size_t fraction_count,
                                    size_t count, int32_t path, float* q_out, size_t* bad_index) {
-  return interpolate_pairs(slerp, a, b, fraction, fraction_count, count, path, q_out, bad_index);
+  return interpolate(slerp, a, b, count, fraction, fraction_count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_nlerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
                          double* q_out, size_t* bad_index) {
-  return interpolate_pair(nlerp, a, b, fraction, count, path, q_out, bad_index);
+  return interpolate(nlerp, a, b, 1, fraction, count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_nlerp_f32(const float* a, const float* b, const float* fraction, size_t count, int32_t path,
                              float* q_out, size_t* bad_index) {
-  return interpolate_pair(nlerp, a, b, fraction, count, path, q_out, bad_index);
+  return interpolate(nlerp, a, b, 1, fraction, count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const double* fraction, size_t fraction_count,
                                size_t count, int32_t path, double* q_out, size_t* bad_index) {
-  return interpolate_pairs(nlerp, a, b, fraction, fraction_count, count, path, q_out, bad_index);
+  return interpolate(nlerp, a, b, count, fraction, fraction_count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, const float* fraction, size_t fraction_count,
                                    size_t count, int32_t path, float* q_out, size_t* bad_index) {
-  return interpolate_pairs(nlerp, a, b, fraction, fraction_count, count, path, q_out, bad_index);
+  return interpolate(nlerp, a, b, count, fraction, fraction_count, count, path, q_out, bad_index);
 }
 
 qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b, double time_b, const double* times,
@@ -98,8 +83,8 @@ qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b
 qtraj_status qtraj_squad_controls(const double* times, const double* q_wb, size_t count, double* a_out, double* b_out,
                                   size_t* bad_index) {
   return call(
-      {capi::optional(input(times, count, 1)), input(q_wb, count, 4), output(a_out, count, 4), output(b_out, count, 4)},
-      {}, bad_index, [&] {
+      {optional(input(times, count, 1)), input(q_wb, count, 4), output(a_out, count, 4), output(b_out, count, 4)}, {},
+      bad_index, [&] {
         return squad_controls({rows<1>(times), rows<4>(q_wb)}, count, output_rows<4>(a_out), output_rows<4>(b_out));
       });
 }

@@ -102,9 +102,8 @@ Vector3 rotation_vector(const Quaternion& q) {
 template <int Width, class Compute>
 Outcome for_each_quaternion(const Rows<4>& q, size_t count, const OutputRows<Width>& out, const Compute& compute) {
   return for_each_row(count, out, [&](size_t row, typename OutputRows<Width>::Row& values) {
-    if (!q.is_finite(row)) return Status::not_finite;
-    if (q.is_zero(row)) return Status::zero_norm;
-    return compute(q[row], values);
+    const Status status = check_key(q, row);
+    return status == Status::ok ? compute(q[row], values) : status;
   });
 }
 

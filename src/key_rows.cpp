@@ -48,11 +48,6 @@ void rotate_rows(const void* from, size_t count, void* to) {
 
 }  // namespace
 
-Status check_key(const Rows<4>& q, size_t row) {
-  if (!q.is_finite(row)) return Status::not_finite;
-  return largest_component(q[row]) == 0 ? Status::zero_norm : Status::ok;
-}
-
 bool is_opposed(const Quaternion& a, const Quaternion& b) {
   const Quaternion p = normalizing_scale(largest_component(a)) * a;
   const Quaternion r = normalizing_scale(largest_component(b)) * b;

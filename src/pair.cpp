@@ -1,7 +1,6 @@
 #include "qtraj/pair.hpp"
 
-#include <cfloat>
-
+#include "qtraj/arc.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/error_free.hpp"
 #include "qtraj/knots.hpp"
@@ -11,9 +10,6 @@ namespace qtraj {
 bool is_known(Path path) { return path == Path::shortest || path == Path::as_given; }
 
 namespace {
-
-// Below this angle between a and -b no great circle is singled out, below this length a chord has no direction.
-constexpr double kOpposite = 1e-14;
 
 // Im(a* b), each product exact: good to a few eps of its length, which plain products are not at small angles.
 Vector3 relative_vector_part(const Quaternion& a, const Quaternion& b) {
@@ -32,8 +28,7 @@ Pair make_pair(const Quaternion& a_given, const Quaternion& b_given, Path path) 
   double cosine = dot(a, b);
   const double length_of_v = length(v), sine = length_of_v < 1e-150 ? 0.0 : length_of_v;
 
-  constexpr double kHalfTurn = 4.0 * DBL_EPSILON;
-  if (path == Path::shortest && cosine < -kHalfTurn * sine) {
+  if (path == Path::shortest && cosine < -kHalfTurnCosine * sine) {
     b = -b;
     v = -v;
     cosine = -cosine;

@@ -1,6 +1,6 @@
 #include "qtraj/precise.hpp"
 
-#include "kernel/coefficients.hpp"
+#include "kernel/elementary.hpp"
 
 namespace qtraj {
 
@@ -20,15 +20,6 @@ Exact precise_length(const Quaternion& a) {
 }
 
 namespace {
-
-// atan(x) - x for |x| <= tan(pi/8), with the polynomial of atan2.
-double arctangent_tail(double x) {
-  const double y = x * x;
-  constexpr int kTerms = sizeof AtanRatio::kDouble / sizeof AtanRatio::kDouble[0];
-  double sum = AtanRatio::kDouble[kTerms - 1];
-  for (int k = kTerms - 2; k >= 1; --k) sum = sum * y + AtanRatio::kDouble[k];
-  return x * (sum * y);
-}
 
 Exact negate(const Exact& a) { return {-a.value, -a.error}; }
 
@@ -66,8 +57,9 @@ Exact precise_atan2(const Exact& y, const Exact& x) {
                                 {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},
                                 {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},
                                 {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}};
-  const double tail = arctangent_tail(ratio.value) + ratio.error / (1.0 + ratio.value * ratio.value);
-  const Exact sum = add(kEighths[eighths], {sign * ratio.value, sign * tail});
+  const double square = ratio.value * ratio.value;
+  const double rest = ratio.value * tail(AtanRatio::kDouble, 1, square) + ratio.error / (1.0 + square);
+  const Exact sum = add(kEighths[eighths], {sign * ratio.value, sign * rest});
   return two_sum(sum.value, sum.error);
 }
 

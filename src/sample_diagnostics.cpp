@@ -1,7 +1,5 @@
 #include "qtraj/sample_diagnostics.hpp"
 
-#include <cfloat>
-
 #include "qtraj/algebra.hpp"
 #include "qtraj/error_free.hpp"
 #include "qtraj/key_rows.hpp"
@@ -66,7 +64,6 @@ double step(const Samples& samples, size_t k) { return samples.times[k + 1] - sa
 
 // Mean rate from sample k to sample k + 1, both good: ok or ambiguous.
 Status interval_rate(const Samples& samples, size_t k, Frame frame, Vector3& rate) {
-  constexpr double kHalfTurn = 4.0 * DBL_EPSILON;
   const Quaternion from = samples.q_wb[k];
   Quaternion to = samples.q_wb[k + 1];
   if (is_opposed(from, to)) to = -to;
@@ -74,7 +71,7 @@ Status interval_rate(const Samples& samples, size_t k, Frame frame, Vector3& rat
   // b a* is the a* b of the conjugates exchanged
   const Vector3 half_angles = frame == Frame::world ? relative_log(conjugate(b), conjugate(a)) : relative_log(a, b);
   rate = 2.0 * half_angles / step(samples, k);
-  return std::abs(dot(a.value, b.value)) <= kHalfTurn ? Status::ambiguous : Status::ok;
+  return std::abs(dot(a.value, b.value)) <= kHalfTurnCosine ? Status::ambiguous : Status::ok;
 }
 
 // Number of samples before `time`, and of those not after it; all times in order.

@@ -3,6 +3,7 @@
 #include <cfloat>
 
 namespace qtraj {
+
 Quaternion unit(const Quaternion& q) {
   const Quaternion scaled = scale_for(largest_component(q)) * q;
   return scaled / length(scaled);

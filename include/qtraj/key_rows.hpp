@@ -5,9 +5,6 @@
 
 namespace qtraj {
 
-// not_finite, zero_norm or ok.
-Status check_key(const Rows<4>& q, size_t row);
-
 // Whether <a, b> < 0, both finite and not 0. The sign is that of the exact dot product as long as no product of two
 // components is below 1e-270 |a| |b|; such products may be lost.
 bool is_opposed(const Quaternion& a, const Quaternion& b);

@@ -29,6 +29,10 @@ double length(const Vector& a) {
 
 Vector3 cross(const Vector3& a, const Vector3& b);
 
+// Cosine, on S^3, of two orientations half a turn apart, to rounding: which way from one to the other is the shorter is
+// then nobody's intent.
+constexpr double kHalfTurnCosine = 4 * 0x1p-52;
+
 inline Quaternion quaternion(double scalar, const Vector3& vector) { return {scalar, vector[0], vector[1], vector[2]}; }
 inline Vector3 vector_part(const Quaternion& q) { return {q[1], q[2], q[3]}; }
 inline Quaternion conjugate(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }

@@ -47,6 +47,12 @@ struct Rows {
   size_t first_element(size_t row) const { return repeated ? 0 : row * Width; }
 };
 
+// Whether a row is a quaternion with a direction: not_finite, zero_norm or ok.
+inline Status check_key(const Rows<4>& q, size_t row) {
+  if (!q.is_finite(row)) return Status::not_finite;
+  return q.is_zero(row) ? Status::zero_norm : Status::ok;
+}
+
 // Rows to write.
 template <int Width>
 struct OutputRows {

@@ -6,7 +6,8 @@
 #pragma once
 
 #include "sample.hpp"
-#include "wide.hpp"
+#include "wide_rows.hpp"
+#include "wide_segments.hpp"
 
 namespace qtraj {
 namespace {
@@ -14,132 +15,6 @@ namespace {
 constexpr size_t kChunk = 512;
 // Samples of a segment from which a run is worth its setting up, in vectors.
 constexpr size_t kLeastRun = 2;
-
-template <class Real>
-struct WideRow {
-  Wide<Real> q[4], omega[3], alpha[3];
-};
-
-QTRAJ_INLINE void store_interleaved(const Wide<double> (&v)[4], double* to) {
-  hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, Wide<double>::Tag(), to);
-}
-QTRAJ_INLINE void store_interleaved(const Wide<float> (&v)[4], float* to) {
-  hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, Wide<float>::Tag(), to);
-}
-template <class Real>
-QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
-  hn::StoreInterleaved3(v[0].lanes, v[1].lanes, v[2].lanes, typename Wide<Real>::Tag(), to);
-}
-
-// Writes `rows` <= kLanes rows; all lanes may be written where there is room.
-template <class Real, size_t Size>
-QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, size_t rows, bool room) {
-  if (room) return store_interleaved(v, to + Size * row);
-  Real lanes[Size * Wide<Real>::kLanes];
-  store_interleaved(v, lanes);
-  for (size_t k = 0; k < Size * rows; ++k) to[Size * row + k] = lanes[k];
-}
-
-// Rates of a segment's parameter to rates in time. Magnitudes past kSafeRate, or what float cannot hold, are left to
-// the scalar code, which tells an overflow without making one: those lanes become 0, and `safe` false.
-constexpr double kSafeRate = 0x1p300;
-
-template <class Real>
-QTRAJ_INLINE Wide<Real> scaled_rate(Wide<Real> rate, const Doubles<Real>& scale, int times, bool& safe) {
-  const Wide<double> zero(0.0), limit(kSafeRate), largest(largest_of<Real>());
-  Doubles<Real> value = Doubles<Real>::of(rate);
-  for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-    Wide<double>& v = value.part[part];
-    const WideMask<double> small = (absolute(v) <= limit) & (scale.part[part] <= limit);
-    v = select(small, v, zero);
-    const Wide<double> factor = select(small, scale.part[part], zero);
-    for (int step = 0; step < times; ++step) v = v * factor;
-    const WideMask<double> fits = absolute(v) <= largest;
-    v = select(fits, v, zero);
-    safe = safe && all(small & fits);
-  }
-  return value.rounded();
-}
-
-// Takes body rates to time and frame; false where a lane must be done again.
-template <class Arithmetic, class Real>
-QTRAJ_INLINE bool finish_rates(const Wide<Real> (&q)[4], Rates<Wide<Real>>& rates, const Doubles<Real>& scale,
-                               const Wanted& wanted, WideRow<Real>& row) {
-  if (wanted.frame == Frame::world) {
-    rotate_to_world<Arithmetic>(q, rates.omega);
-    rotate_to_world<Arithmetic>(q, rates.alpha);
-  }
-  bool safe = true;
-  for (size_t k = 0; k < 3; ++k) {
-    if (wanted.omega) row.omega[k] = scaled_rate(rates.omega[k], scale, 1, safe);
-    if (wanted.alpha) row.alpha[k] = scaled_rate(rates.alpha[k], scale, 2, safe);
-  }
-  return safe;
-}
-
-// Lanes of int64 that accompany a vector of double.
-using IndexTag = hn::RebindToSigned<Wide<double>::Tag>;
-using Indices = hn::Vec<IndexTag>;
-
-QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
-  return Wide<double>::of(hn::GatherIndex(Wide<double>::Tag(), from, at));
-}
-
-// Fields first..first + 3 (vectors of two lanes: + 1) of one record for each lane: rows are loaded and transposed,
-// which is several times faster than to gather field by field.
-constexpr size_t kTransposed = HWY_LANES(double) < 4 ? 2 : 4;
-
-QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(double)], size_t first,
-                                  Wide<double>* fields) {
-  const Wide<double>::Tag tag;
-#if HWY_MAX_BYTES == 16
-  const auto row0 = hn::LoadU(tag, records[0] + first), row1 = hn::LoadU(tag, records[1] + first);
-  fields[0].lanes = hn::InterleaveLower(tag, row0, row1);
-  fields[1].lanes = hn::InterleaveUpper(tag, row0, row1);
-#else
-#if HWY_MAX_BYTES == 32
-  const auto row = [&](size_t lane) { return hn::LoadU(tag, records[lane] + first); };
-#else
-  const hn::Half<Wide<double>::Tag> half;
-  const auto row = [&](size_t lane) {
-    return hn::Combine(tag, hn::LoadU(half, records[lane + 4] + first), hn::LoadU(half, records[lane] + first));
-  };
-#endif
-  // blocks of two lanes: [f0 of 0, 1][f2 of 0, 1] ...
-  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
-  const auto even01 = hn::InterleaveLower(tag, row0, row1), odd01 = hn::InterleaveUpper(tag, row0, row1);
-  const auto even23 = hn::InterleaveLower(tag, row2, row3), odd23 = hn::InterleaveUpper(tag, row2, row3);
-  fields[0].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(even23), even01);
-  fields[1].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd23), odd01);
-  fields[2].lanes = hn::OddEvenBlocks(even23, hn::SwapAdjacentBlocks(even01));
-  fields[3].lanes = hn::OddEvenBlocks(odd23, hn::SwapAdjacentBlocks(odd01));
-#endif
-}
-
-// All fields; the last group may overlap the one before, so that nothing past a record is read.
-template <size_t Fields>
-QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)], Wide<double> (&fields)[Fields]) {
-  for (size_t first = 0; first + kTransposed <= Fields; first += kTransposed)
-    load_transposed(records, first, fields + first);
-  if constexpr (Fields % kTransposed != 0)
-    load_transposed(records, Fields - kTransposed, fields + Fields - kTransposed);
-}
-
-// Segments of times within the knots, by the guide.
-QTRAJ_INLINE Indices find_segments(const KnotIndex& index, Wide<double> time) {
-  const IndexTag tag;
-  const Wide<double> shifted =
-      (time - Wide<double>(index.guide.start)) * Wide<double>(index.guide.scale) + Wide<double>(Guide::kShift);
-  const Indices bucket = hn::And(hn::BitCast(tag, shifted.lanes), hn::Set(tag, (int64_t{1} << 52) - 1));
-  Indices low = hn::GatherIndex(tag, reinterpret_cast<const int64_t*>(index.guide.first_candidate), bucket);
-  const Indices last = hn::Set(tag, static_cast<int64_t>(index.segments - 1));
-  for (size_t step = size_t{1} << index.guide.steps; (step >>= 1) > 0;) {
-    const Indices middle = hn::Min(hn::Add(low, hn::Set(tag, static_cast<int64_t>(step))), last);
-    const Wide<double> knot = gather(index.knots, middle);
-    low = hn::IfThenElse(hn::RebindMask(tag, (knot <= time).lanes), middle, low);
-  }
-  return low;
-}
 
 template <class Evaluator, class Arithmetic, class Real, bool kWithRates>
 class Batch {
@@ -159,13 +34,13 @@ class Batch {
     Outcome outcome = {Status::ok, kNoIndex};
     for (first_row_ = 0; first_row_ < count_; first_row_ += kChunk) {
       const size_t rows = count_ - first_row_ < kChunk ? count_ - first_row_ : kChunk;
-      again_ = has_marks_ = false;
+      bool all_inside = true;
+      has_marks_ = false;
       if (!find_sorted_times(rows) || !sample_runs(rows, cursor)) {
-        const bool all_inside = clamp_times(rows);
+        all_inside = clamp_times(rows);
         sample_staged(rows);
-        if (!all_inside) again_ = true;
       }
-      if (again_) sample_again(rows, cursor, outcome);
+      if (!all_inside || has_marks_) sample_again(rows, cursor, outcome);
     }
     return outcome;
   }
@@ -354,7 +229,7 @@ class Batch {
   void mark_again(size_t i, size_t rows) {
     if (!has_marks_)
       for (bool& mark : marked_) mark = false;
-    again_ = has_marks_ = true;
+    has_marks_ = true;
     for (size_t k = i; k < i + rows; ++k) marked_[k] = true;
   }
 
@@ -378,8 +253,7 @@ class Batch {
   // Of the chunk.
   size_t first_row_ = 0;
   const double* times_ = nullptr;  // the caller's, or in buffer_
-  bool again_ = false;             // some rows are to be done again: those outside the knots, and marked ones
-  bool has_marks_ = false;
+  bool has_marks_ = false;         // some row inside the knots is marked to be done again
   bool marked_[kChunk];
   double buffer_[kChunk + kLanes];
   int64_t found_[kChunk + kLanes];  // segments of the times

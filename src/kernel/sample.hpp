@@ -125,14 +125,6 @@ void sample_row(const Sampler& sampler, double time, size_t i, size_t& cursor, c
   write_row(row, outputs, i);
 }
 
-template <class Sampler, class Real>
-Outcome sample_rows(const Sampler& sampler, const TimeReader& times, size_t count, size_t& cursor,
-                    const SampleOutputs<Real>& outputs) {
-  Outcome outcome = {Status::ok, kNoIndex};
-  for (size_t i = 0; i < count; ++i) sample_row(sampler, times[i], i, cursor, outputs, outcome);
-  return outcome;
-}
-
 // Calls `with` with the evaluator of a trajectory's segments.
 template <class Arithmetic, size_t Degree, class With>
 auto with_rotation_vector(ExponentRange range, const With& with) {
@@ -164,18 +156,23 @@ Wanted wanted_of(const SampleOutputs<Real>& outputs) {
   return {outputs.frame, outputs.omega != nullptr, outputs.alpha != nullptr};
 }
 
-template <class Arithmetic, class Real>
-Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
+// Calls `with` with the sampler that the outputs of a call need.
+template <class Arithmetic, class Real, class With>
+auto with_sampler(const Trajectory& trajectory, const SampleOutputs<Real>& outputs, const With& with) {
   return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {
     using Evaluator = std::decay_t<decltype(evaluator)>;
     const Wanted wanted = wanted_of(outputs);
-    Outcome outcome = {Status::ok, kNoIndex};
     if (wanted.omega || wanted.alpha)
-      sample_row(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted), time, 0, cursor, outputs,
-                 outcome);
-    else
-      sample_row(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted), time, 0, cursor, outputs,
-                 outcome);
+      return with(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted));
+    return with(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted));
+  });
+}
+
+template <class Arithmetic, class Real>
+Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
+  return with_sampler<Arithmetic>(trajectory, outputs, [&](const auto& sampler) {
+    Outcome outcome = {Status::ok, kNoIndex};
+    sample_row(sampler, time, 0, cursor, outputs, outcome);
     return outcome.status;
   });
 }
@@ -183,15 +180,11 @@ Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, cons
 template <class Arithmetic, class Real>
 Outcome sample(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
                const SampleOutputs<Real>& outputs) {
-  return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {
-    using Evaluator = std::decay_t<decltype(evaluator)>;
+  return with_sampler<Arithmetic>(trajectory, outputs, [&](const auto& sampler) {
     const TimeReader times(source, count);
-    const Wanted wanted = wanted_of(outputs);
-    if (wanted.omega || wanted.alpha)
-      return sample_rows(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted), times, count,
-                         cursor, outputs);
-    return sample_rows(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted), times, count, cursor,
-                       outputs);
+    Outcome outcome = {Status::ok, kNoIndex};
+    for (size_t i = 0; i < count; ++i) sample_row(sampler, times[i], i, cursor, outputs, outcome);
+    return outcome;
   });
 }
 
