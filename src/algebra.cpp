@@ -1,5 +1,6 @@
 #include "qtraj/algebra.hpp"
 
+#include "kernel/kernel.hpp"
 #include "qtraj/precise.hpp"
 #include "qtraj/scaled.hpp"
 
@@ -100,10 +101,12 @@ Outcome dot(const Rows<4>& a, const Rows<4>& b, size_t count, const OutputRows<1
 }
 
 Outcome rotate(const Rows<4>& q_wb, const Rows<3>& v_body, size_t count, const OutputRows<3>& v_world_out) {
-  return for_each_row(count, v_world_out, [&](size_t row, Vector3& v_world) {
+  const RotateArrays arrays = {q_wb.array(), v_body.array(), v_world_out.data, v_world_out.single};
+  const auto vectors = [&](size_t row) { return kernel().rows.rotate(arrays, row, count); };
+  return for_each_row(count, v_world_out, vectors, [&](size_t row, Vector3& v_world) {
     if (!q_wb.is_finite(row) || !v_body.is_finite(row)) return Status::not_finite;
     if (q_wb.is_zero(row)) return Status::zero_norm;
-    const Quaternion unit = rounded(normalize(q_wb[row]).unit);
+    const Quaternion unit = normalize(q_wb[row]).unit.value;
     const Scaled<Vector3> v = scale(v_body[row]);
     v_world = unscale(Scaled<Vector3>{rotate(unit, v.value), v.steps});
     return Status::ok;

@@ -19,7 +19,7 @@ struct Divisor {
 Divisor divisor(const Quaternion& q) {
   const Scaled<Quaternion> scaled = scale(q);
   const Normalized normalized = normalize(scaled.value);
-  return {rounded(normalized.unit), normalized.norm + normalized.norm_error, scaled.steps};
+  return {normalized.unit.value, normalized.norm + normalized.norm_error, scaled.steps};
 }
 
 // The rate part of a derivative: q^-1 d (body) or d q^-1 (world).
@@ -53,7 +53,7 @@ Outcome derivatives_from_rates(const Rows<4>& q_wb, Frame frame, const Rows<3>& 
     if (!q_wb.is_finite(row) || !omega.is_finite(row)) return Status::not_finite;
     if (alpha.data && !alpha.is_finite(row)) return Status::not_finite;
     if (q_wb.is_zero(row)) return Status::zero_norm;
-    const Quaternion unit = rounded(normalize(q_wb[row]).unit);
+    const Quaternion unit = normalize(q_wb[row]).unit.value;
     const Scaled<Vector3> scaled = scale(omega[row]);
     derivatives.first = first_derivative(unit, frame, scaled);
     if (alpha.data) derivatives.second = second_derivative(unit, frame, scaled, scale(alpha[row]));

@@ -86,7 +86,7 @@ Status pow_of(const Quaternion& q, double exponent, Quaternion& result) {
     return Status::ok;
   }
   const SinCos at = sin_cos(multiple(exponent, half.angle));
-  result = quaternion(at.cos, at.sin * vector_part(rounded(half.axis)));
+  result = quaternion(at.cos, at.sin * vector_part(half.axis.value));
   return half.status;
 }
 

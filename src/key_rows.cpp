@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "kernel/kernel.hpp"
 #include "qtraj/error_free.hpp"
 
 namespace qtraj {
@@ -64,21 +65,31 @@ bool is_opposed(const Quaternion& a, const Quaternion& b) {
 }
 
 Outcome normalize_rows(const Rows<4>& q, size_t count, const OutputRows<4>& out) {
-  return for_each_row(count, out, [&](size_t row, Quaternion& values) {
+  const KeyArrays arrays = {q.data, out.data, q.single};
+  const auto vectors = [&](size_t row) { return kernel().rows.normalize(arrays, row, count); };
+  return for_each_row(count, out, vectors, [&](size_t row, Quaternion& values) {
     const Status status = check_key(q, row);
     if (status != Status::ok) return status;
-    const UnitQuaternion unit = normalize(q[row]).unit;
-    // -0 + 0 would be 0
-    for (int k = 0; k < 4; ++k) values[k] = unit.error[k] == 0 ? unit.value[k] : unit.value[k] + unit.error[k];
+    values = normalize(q[row]).unit.value;
     return Status::ok;
   });
 }
 
 Outcome make_continuous_rows(const Rows<4>& q, size_t series, size_t length, const OutputRows<4>& out, size_t& flips) {
   flips = 0;
+  const KeyArrays arrays = {q.data, out.data, q.single};
+  const Rows<4> done = {out.data, out.single};
   Quaternion previous;
   bool has_previous = false;
-  return for_each_row(series * length, out, [&](size_t row, Quaternion& values) {
+  const auto vectors = [&](size_t row) {
+    const size_t of_series = row % length;
+    if (of_series == 0) return size_t{0};
+    const size_t count = kernel().rows.make_continuous(arrays, row, row - of_series + length, flips);
+    if (count == 0) return count;
+    previous = done[row + count - 1];
+    return count;
+  };
+  return for_each_row(series * length, out, vectors, [&](size_t row, Quaternion& values) {
     if (row % length == 0) has_previous = false;
     const Status status = check_key(q, row);
     if (status != Status::ok) return status;

@@ -1,5 +1,6 @@
 #include "qtraj/pair.hpp"
 
+#include "kernel/kernel.hpp"
 #include "qtraj/arc.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/error_free.hpp"
@@ -34,7 +35,7 @@ Pair make_pair(const Quaternion& a_given, const Quaternion& b_given, Path path) 
     cosine = -cosine;
   }
   const Vector3 axis = sine == 0 ? Vector3(Vector3::Zero()) : Vector3(v / sine);
-  return {rounded(normalize(a).unit), rounded(normalize(b).unit), axis, sine, cosine};
+  return {normalize(a).unit.value, normalize(b).unit.value, axis, sine, cosine};
 }
 
 Status read_pair(const Rows<4>& a, const Rows<4>& b, size_t row, Path path, Pair& pair) {
@@ -96,20 +97,27 @@ Status Nlerp::at(double fraction, Quaternion& q) const {
 namespace {
 
 template <class Curve>
-Outcome interpolate(const PairRows& pairs, size_t count, const OutputRows<4>& out) {
+Outcome interpolate(size_t (*vectors)(const PairArrays&, size_t, size_t), const PairRows& pairs, size_t count,
+                    const OutputRows<4>& out) {
+  const PairArrays arrays = {pairs.a.array(), pairs.b.array(), pairs.fraction.array(),
+                             out.data,        out.single,      pairs.path};
   const bool is_one_pair = pairs.a.repeated && pairs.b.repeated;
   Status status = Status::ok;
   Curve curve;
-  return for_each_row(count, out, [&](size_t row, Quaternion& q) {
-    if (row == 0 || !is_one_pair) {
+  bool has_curve = false;
+  const auto compute = [&](size_t row, Quaternion& q) {
+    if (!has_curve || !is_one_pair) {
       Pair pair;
       status = read_pair(pairs.a, pairs.b, row, pairs.path, pair);
       if (status == Status::ok) curve = Curve(pair);
+      has_curve = true;
     }
     if (!pairs.fraction.is_finite(row)) return Status::not_finite;
     if (status != Status::ok) return status;
     return curve.at(pairs.fraction[row][0], q);
-  });
+  };
+  return for_each_row(
+      count, out, [&](size_t row) { return vectors(arrays, row, count); }, compute);
 }
 
 // Any finite times, time_b after time_a.
@@ -121,14 +129,59 @@ double fraction_at(double time, double time_a, double time_b) {
   return elapsed / step;
 }
 
+double fraction_at(const TimedPair& given, size_t row) {
+  return fraction_at(given.times[row][0], given.time_a, given.time_b);
+}
+
+// Slerp between the ends of a timed pair in vectors.
+class BetweenEnds {
+ public:
+  BetweenEnds(const TimedPair& given, bool is_valid) : given_(given) {
+    fractions_[0] = 0.5;
+    double q[4];
+    can_slerp_ = is_valid && slerp(1, q) == 1;
+  }
+
+  // Rows from `first` on: how many.
+  size_t operator()(size_t first, size_t count, double* q_out) {
+    for (size_t row = first; can_slerp_;) {
+      const size_t rows = read_fractions(row, count), done = slerp(rows, q_out + 4 * row);
+      row += done;
+      if (done < kChunk) return row - first;
+    }
+    return 0;
+  }
+
+ private:
+  static constexpr size_t kChunk = 64;
+
+  size_t read_fractions(size_t row, size_t count) {
+    size_t rows = 0;
+    for (; rows < kChunk && row + rows < count && given_.times.is_finite(row + rows); ++rows) {
+      fractions_[rows] = fraction_at(given_, row + rows);
+      if (!(fractions_[rows] > 0 && fractions_[rows] < 1)) break;
+    }
+    return rows;
+  }
+
+  size_t slerp(size_t rows, double* q) const {
+    return kernel().rows.slerp(
+        {{given_.a.data, true}, {given_.b.data, true}, {fractions_, false}, q, false, given_.path}, 0, rows);
+  }
+
+  const TimedPair& given_;
+  double fractions_[kChunk];
+  bool can_slerp_;
+};
+
 }  // namespace
 
 Outcome slerp(const PairRows& pairs, size_t count, const OutputRows<4>& out) {
-  return interpolate<Slerp>(pairs, count, out);
+  return interpolate<Slerp>(kernel().rows.slerp, pairs, count, out);
 }
 
 Outcome nlerp(const PairRows& pairs, size_t count, const OutputRows<4>& out) {
-  return interpolate<Nlerp>(pairs, count, out);
+  return interpolate<Nlerp>(kernel().rows.nlerp, pairs, count, out);
 }
 
 Outcome slerp_between(const TimedPair& given, size_t count, const OutputRows<4>& out) {
@@ -140,10 +193,12 @@ Outcome slerp_between(const TimedPair& given, size_t count, const OutputRows<4>&
   if (status == Status::ok) status = check_knot(ends, 1);
   const Slerp curve = status == Status::ok ? Slerp(pair) : Slerp();
 
-  return for_each_row(count, out, [&](size_t row, Quaternion& q) {
+  BetweenEnds between(given, status == Status::ok);
+  const auto vectors = [&](size_t row) { return between(row, count, static_cast<double*>(out.data)); };
+  return for_each_row(count, out, vectors, [&](size_t row, Quaternion& q) {
     if (!given.times.is_finite(row)) return Status::not_finite;
     if (status != Status::ok) return status;
-    return curve.at(fraction_at(given.times[row][0], given.time_a, given.time_b), q);
+    return curve.at(fraction_at(given, row), q);
   });
 }
 

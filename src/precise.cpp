@@ -1,22 +1,14 @@
 #include "qtraj/precise.hpp"
 
 #include "kernel/elementary.hpp"
+#include "kernel/unit_rows.hpp"
 
 namespace qtraj {
 
 Exact precise_length(const Quaternion& a) {
-  // |a|^2 = square.value + square.error
-  Exact square = two_product(a[0], a[0]);
-  for (int k = 1; k < 4; ++k) {
-    const Exact product = two_product(a[k], a[k]);
-    const Exact sum = two_sum(square.value, product.value);
-    square = {sum.value, square.error + (product.error + sum.error)};
-  }
-  // one Newton step for the second part
-  const double length = std::sqrt(square.value);
-  if (length == 0) return {0, 0};
-  const Exact length_squared = two_product(length, length);
-  return {length, ((square.value - length_squared.value) - length_squared.error + square.error) / (2.0 * length)};
+  if (largest_component(a) == 0) return {0, 0};
+  const PreciseLength<double> length = precise_length_of({a[0], a[1], a[2], a[3]});
+  return {length.value, length.error};
 }
 
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cfloat>
 
+#include "kernel/unit_rows.hpp"
 #include "qtraj/floating.hpp"
-#include "qtraj/precise.hpp"
 
 namespace qtraj {
 
@@ -37,15 +37,10 @@ Quaternion scaled_to_one(const Quaternion& q) {
 Normalized normalize(const Quaternion& q) {
   const double scale = scale_for(largest_component(q));
   const Quaternion scaled = scale * q;
-  const auto [norm, norm_error] = precise_length(scaled);
+  const UnitOf<double> unit = unit_of({scaled[0], scaled[1], scaled[2], scaled[3]});
 
-  Normalized result;
-  for (int k = 0; k < 4; ++k) {
-    const double value = scaled[k] / norm;
-    const Exact product = two_product(value, norm);
-    result.unit.value[k] = value;
-    result.unit.error[k] = ((scaled[k] - product.value) - product.error - value * norm_error) / norm;
-  }
+  Normalized result = {{load(unit.value), load(unit.error)}, 0, 0};
+  const double norm = unit.length.value, norm_error = unit.length.error;
   const bool overflows = scale < 1.0 && norm > DBL_MAX * 0x1p-600;
   result.norm = overflows ? DBL_MAX : norm / scale;
   result.norm_error = overflows ? 0 : norm_error / scale;

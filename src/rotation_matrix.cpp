@@ -75,7 +75,7 @@ Quaternion quaternion_of(const Matrix3& rotation) {
   int largest = 0;
   for (int k = 1; k < 4; ++k)
     if (squares[k] > squares[largest]) largest = k;
-  const Quaternion unit = rounded(normalize(from_largest(rotation, largest)).unit);
+  const Quaternion unit = normalize(from_largest(rotation, largest)).unit.value;
   return unit[0] < 0 ? Quaternion(-unit) : unit;
 }
 
@@ -85,7 +85,7 @@ Outcome matrix_from_q(const Rows<4>& q_wb, size_t count, const OutputRows<9>& ma
   return for_each_row(count, matrix_out, [&](size_t row, Elements& elements) {
     if (!q_wb.is_finite(row)) return Status::not_finite;
     if (q_wb.is_zero(row)) return Status::zero_norm;
-    elements = matrix_of(rounded(normalize(q_wb[row]).unit));
+    elements = matrix_of(normalize(q_wb[row]).unit.value);
     return Status::ok;
   });
 }

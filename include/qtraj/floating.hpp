@@ -33,6 +33,7 @@ static inline bool is_finite(float value) {
 static inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 static inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
 static inline bool any(bool condition) { return condition; }
+static inline bool all(bool condition) { return condition; }
 
 // A power of two that brings a finite value other than 0 to [1, 2); one from 2^1023 on to [2, 4), and one below 2^-1022
 // to [2^-51, 2), as there is no larger power.

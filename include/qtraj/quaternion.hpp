@@ -78,7 +78,7 @@ struct Normalized {
   double norm_error;  // what its rounding left
 };
 
-// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30, |error| below 1 eps.
+// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double.
 Normalized normalize(const Quaternion& q);
 
 inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {
@@ -87,8 +87,6 @@ inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {
 inline Quaternion sum(const UnitQuaternion& a, const UnitQuaternion& b) {
   return (a.value + b.value) + (a.error + b.error);
 }
-// The nearest double of each component, where value may be an ulp or two off.
-inline Quaternion rounded(const UnitQuaternion& q) { return q.value + q.error; }
 inline UnitQuaternion negate(const UnitQuaternion& q) { return {-q.value, -q.error}; }
 
 }  // namespace qtraj

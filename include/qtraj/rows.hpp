@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <limits>
 
+#include "qtraj/arrays.hpp"
 #include "qtraj/floating.hpp"
 #include "qtraj/quaternion.hpp"
 #include "qtraj/status.hpp"
@@ -18,6 +19,8 @@ struct Rows {
   const void* data;
   bool single;
   bool repeated = false;
+
+  ArrayIn array() const { return {data, repeated}; }
 
   // Told by the bits in memory: converting a signalling NaN would raise FE_INVALID.
   bool is_finite(size_t row) const {
@@ -110,10 +113,13 @@ struct OutputRowPairs {
 // Calls `compute(row, values)` for each row and writes what it leaves in `values`, or NaN where its status is neither
 // ok nor ambiguous, or the values do not fit the caller's type. The outcome is that of the first row at fault. Row i of
 // an input may be overwritten by row i of the output: `compute` reads before it writes.
-template <class Output, class Compute>
-Outcome for_each_row(size_t count, const Output& out, const Compute& compute) {
+// `vectors(row)` does rows from that one on by itself, all of them ok, and returns how many.
+template <class Output, class Vectors, class Compute>
+Outcome for_each_row(size_t count, const Output& out, const Vectors& vectors, const Compute& compute) {
   Outcome outcome;
   for (size_t row = 0; row < count; ++row) {
+    row += vectors(row);
+    if (row == count) break;
     typename Output::Row values = Output::zero();
     Status status = compute(row, values);
     const bool has_values = status == Status::ok || status == Status::ambiguous;
@@ -125,6 +131,11 @@ Outcome for_each_row(size_t count, const Output& out, const Compute& compute) {
     if (status != Status::ok && outcome.status == Status::ok) outcome = {status, row};
   }
   return outcome;
+}
+template <class Output, class Compute>
+Outcome for_each_row(size_t count, const Output& out, const Compute& compute) {
+  return for_each_row(
+      count, out, [](size_t) { return size_t{0}; }, compute);
 }
 
 }  // namespace qtraj

@@ -4,13 +4,19 @@
 #if defined(QTRAJ_X86_KERNELS)
 
 #include "batch.hpp"
+#include "row_kernels.hpp"
+#include "wide_arrays.hpp"
 
 static_assert(HWY_TARGET == HWY_AVX2, "compiled with the flags of another target");
 
 namespace qtraj {
 
-const Kernel kAvx2Kernel = {"avx2 fused", sample_batch<Fused, double>, sample_batch<Fused, float>,
-                            sample_at<Fused, double>, sample_at<Fused, float>};
+const Kernel kAvx2Kernel = {"avx2 fused",
+                            sample_batch<Fused, double>,
+                            sample_batch<Fused, float>,
+                            sample_at<Fused, double>,
+                            sample_at<Fused, float>,
+                            kRowKernels<Fused, Wide<double>>};
 
 }  // namespace qtraj
 

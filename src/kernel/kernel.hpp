@@ -1,6 +1,7 @@
 // Kernels sample trajectories: the same code, compiled for each instruction set and arithmetic; one runs here.
 #pragma once
 
+#include "qtraj/arrays.hpp"
 #include "qtraj/trajectory.hpp"
 
 #if !defined(QTRAJ_NO_SIMD) && defined(__x86_64__)
@@ -26,6 +27,17 @@ struct SampleOutputs {
   Frame frame;
 };
 
+// Functions over rows. Each does rows from `first` on and returns how many: up to `count`, or to one that is not
+// ordinary (array_rows.hpp), which the core then does by itself, with the same result where both could.
+struct RowKernels {
+  size_t (*slerp)(const PairArrays& arrays, size_t first, size_t count);
+  size_t (*nlerp)(const PairArrays& arrays, size_t first, size_t count);
+  size_t (*rotate)(const RotateArrays& arrays, size_t first, size_t count);
+  size_t (*normalize)(const KeyArrays& arrays, size_t first, size_t count);
+  // Signs continued from the row before `first`, which is done; `flips` counts the rows that are changed.
+  size_t (*make_continuous)(const KeyArrays& arrays, size_t first, size_t count, size_t& flips);
+};
+
 struct Kernel {
   const char* target;  // instruction set and arithmetic, as qtraj_target reports it
 
@@ -40,6 +52,8 @@ struct Kernel {
   Status (*sample_at)(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<double>& outputs);
   Status (*sample_at_f32)(const Trajectory& trajectory, double time, size_t& cursor,
                           const SampleOutputs<float>& outputs);
+
+  RowKernels rows;
 };
 
 // The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body

@@ -4,13 +4,19 @@
 #if defined(QTRAJ_NEON_KERNEL)
 
 #include "batch.hpp"
+#include "row_kernels.hpp"
+#include "wide_arrays.hpp"
 
 static_assert(HWY_TARGET == HWY_NEON, "compiled with the flags of another target");
 
 namespace qtraj {
 
-const Kernel kNeonKernel = {"neon fused", sample_batch<Fused, double>, sample_batch<Fused, float>,
-                            sample_at<Fused, double>, sample_at<Fused, float>};
+const Kernel kNeonKernel = {"neon fused",
+                            sample_batch<Fused, double>,
+                            sample_batch<Fused, float>,
+                            sample_at<Fused, double>,
+                            sample_at<Fused, float>,
+                            kRowKernels<Fused, Wide<double>>};
 
 }  // namespace qtraj
 

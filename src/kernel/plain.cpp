@@ -1,9 +1,10 @@
+#include "row_kernels.hpp"
 #include "sample.hpp"
 
 namespace qtraj {
 
-const Kernel kScalarKernel = {"scalar plain", sample<Plain, double>, sample<Plain, float>, sample_at<Plain, double>,
-                              sample_at<Plain, float>};
+const Kernel kScalarKernel = {"scalar plain",           sample<Plain, double>,   sample<Plain, float>,
+                              sample_at<Plain, double>, sample_at<Plain, float>, kRowKernels<Plain, double>};
 
 bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
                     SegmentMotion& motion) {

@@ -4,13 +4,19 @@
 #if defined(QTRAJ_X86_KERNELS)
 
 #include "batch.hpp"
+#include "row_kernels.hpp"
+#include "wide_arrays.hpp"
 
 static_assert(HWY_TARGET == HWY_SSE4, "compiled with the flags of another target");
 
 namespace qtraj {
 
-const Kernel kSse4Kernel = {"sse4 plain", sample_batch<Plain, double>, sample_batch<Plain, float>,
-                            sample_at<Plain, double>, sample_at<Plain, float>};
+const Kernel kSse4Kernel = {"sse4 plain",
+                            sample_batch<Plain, double>,
+                            sample_batch<Plain, float>,
+                            sample_at<Plain, double>,
+                            sample_at<Plain, float>,
+                            kRowKernels<Plain, Wide<double>>};
 
 }  // namespace qtraj
 

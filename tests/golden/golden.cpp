@@ -1,6 +1,7 @@
-// qtraj_golden [--target NAME]: samples every method in every way with one kernel (that of this CPU, or the one named)
-// and prints "NAME hash", one hash for all bits that came out. Fails where the bits of a sample depend on its place in
-// the batch, the split or the function. Exits with 77 where this CPU, or this build, has no such kernel.
+// qtraj_golden [--target NAME]: samples every method in every way with one kernel (that of this CPU, or the one named),
+// calls the functions over rows and prints "NAME hash", one hash for all bits that came out. Fails where the bits of a
+// sample depend on its place in the batch, the split or the function. Exits with 77 where this CPU, or this build, has
+// no such kernel.
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -177,6 +178,39 @@ void add_samples(const qtraj_trajectory* curve, const std::vector<double>& times
   add_uniform<Real>(curve, hash);
 }
 
+// Some components 0, some of any sign and a size about 1.
+std::vector<double> numbers(Integers& random, size_t count) {
+  std::vector<double> all(count);
+  for (double& number : all) number = random.signed_fraction();
+  return all;
+}
+
+// Functions over rows that kernels have a part in, and means.
+void add_rows(Hash& hash) {
+  constexpr size_t kCount = 203;
+  Integers random(10);
+  const std::vector<double> a = numbers(random, 4 * kCount), b = numbers(random, 4 * kCount),
+                            v = numbers(random, 3 * kCount), fractions = numbers(random, kCount);
+  std::vector<double> q(4 * kCount), v_world(3 * kCount);
+  for (const auto interpolate : {qtraj_slerp_pairs, qtraj_nlerp_pairs})
+    for (const int32_t path : {QTRAJ_PATH_SHORTEST, QTRAJ_PATH_AS_GIVEN}) {
+      interpolate(a.data(), b.data(), fractions.data(), kCount, kCount, path, q.data(), nullptr);
+      hash.add(q);
+    }
+  qtraj_rotate(a.data(), kCount, v.data(), kCount, kCount, v_world.data(), nullptr);
+  hash.add(v_world);
+  qtraj_normalize(a.data(), kCount, q.data(), nullptr);
+  hash.add(q);
+  qtraj_make_continuous(q.data(), 1, kCount, q.data(), nullptr, nullptr);
+  hash.add(q);
+  std::vector<double> mean(4), weights = numbers(random, kCount);
+  for (double& weight : weights) weight *= weight;
+  qtraj_mean_eigen(a.data(), weights.data(), kCount, mean.data(), nullptr, nullptr);
+  hash.add(mean);
+  qtraj_mean_karcher(a.data(), weights.data(), kCount, 0, 100, mean.data(), nullptr, nullptr, nullptr);
+  hash.add(mean);
+}
+
 uint64_t golden_hash() {
   Hash hash;
   for (const Curve& curve : golden::curves()) {
@@ -188,6 +222,7 @@ uint64_t golden_hash() {
     of_float_keys.take(from_float.get(), QTRAJ_FRAME_WORLD, times.data(), 0, times.size());
     hash.add(of_float_keys.hash());
   }
+  add_rows(hash);
   return hash.value();
 }
 

@@ -1,0 +1,33 @@
+// Callers' arrays as functions over rows take them. Kernels include this header: it names no type of Eigen.
+#pragma once
+
+#include "qtraj/settings.hpp"
+
+namespace qtraj {
+
+// Rows to read, of float or double; repeated: one row that serves all.
+struct ArrayIn {
+  const void* data;
+  bool repeated;
+};
+
+struct PairArrays {
+  ArrayIn a, b;      // [4]
+  ArrayIn fraction;  // [1]
+  void* q;           // [4]
+  bool single;       // all of float
+  Path path;
+};
+struct RotateArrays {
+  ArrayIn q;      // [4]
+  ArrayIn v;      // [3]
+  void* v_world;  // [3]
+  bool single;
+};
+struct KeyArrays {
+  const void* q;  // [4]
+  void* q_out;    // [4], may be q
+  bool single;
+};
+
+}  // namespace qtraj

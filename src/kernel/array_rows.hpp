@@ -1,0 +1,104 @@
+// Rows of a caller's arrays as numbers of double: one row, or (wide_arrays.hpp) as many side by side as a vector has
+// lanes. Functions over such rows do the ordinary ones; what is left goes back to the core, which knows all cases.
+#pragma once
+
+#include <cstring>
+
+#include "arithmetic.hpp"
+#include "kernel.hpp"
+#include "qtraj/error_free.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Number>
+constexpr size_t kLanesOf = 1;
+
+// Lanes as bits, the first the lowest, and back.
+QTRAJ_INLINE unsigned lane_bits(bool condition) { return condition ? 1 : 0; }
+QTRAJ_INLINE bool lanes_of(unsigned bits, double) { return bits != 0; }
+
+// Ordinary rows have a largest component of 2^-120 to 2^120: nothing made of it overflows, also in float, or loses
+// digits. Told by the bits, as a comparison with NaN would raise FE_INVALID.
+constexpr uint64_t kLeastOrdinary = uint64_t{1023 - 120} << 52, kPastOrdinary = uint64_t{1023 + 120} << 52;
+constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52;
+
+inline uint64_t bits_of(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+template <size_t Size>
+QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
+  uint64_t largest = 0;
+  for (const double component : v) {
+    const uint64_t magnitude = bits_of(component) & kMagnitudeBits;
+    largest = magnitude > largest ? magnitude : largest;
+  }
+  return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
+}
+
+// 0 < fraction < 1.
+QTRAJ_INLINE bool is_inside(double fraction) { return bits_of(fraction) - 1 < kOneBits - 1; }
+
+template <class Real, size_t Width>
+QTRAJ_INLINE void convert_rows(const Real* from, size_t row, double (&to)[Width]) {
+  for (size_t k = 0; k < Width; ++k) to[k] = static_cast<double>(from[Width * row + k]);
+}
+template <class Real, size_t Width>
+QTRAJ_INLINE void store_rows(const double (&from)[Width], Real* to, size_t row) {
+  for (size_t k = 0; k < Width; ++k) to[Width * row + k] = static_cast<Real>(from[k]);
+}
+
+// Floats are asked before they are converted, as a signalling NaN would raise FE_INVALID; of doubles their conversion
+// asks nothing.
+template <class Number, size_t Width>
+QTRAJ_INLINE bool can_convert(const double*, size_t, const Number (&)[Width]) {
+  return true;
+}
+template <size_t Width>
+QTRAJ_INLINE bool can_convert(const float* from, size_t row, const double (&)[Width]) {
+  bool finite = true;
+  for (size_t k = 0; k < Width; ++k) finite = finite && is_finite(from[Width * row + k]);
+  return finite;
+}
+
+// Rows `row`, `row + 1`, ... of an array, or its only row that serves all; false where numbers may be not finite, and
+// `to` then is not to be used.
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_numbers(const ArrayIn& array, size_t row, Number (&to)[Width]) {
+  const Real* from = static_cast<const Real*>(array.data);
+  if (!array.repeated) {
+    if (!can_convert(from, row, to)) return false;
+    convert_rows(from, row, to);
+    return true;
+  }
+  double one[Width];
+  if (!can_convert(from, 0, one)) return false;
+  convert_rows(from, 0, one);
+  for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
+  return true;
+}
+
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_rows(const ArrayIn& array, size_t row, Number (&to)[Width]) {
+  return load_numbers<Real>(array, row, to) && all(is_ordinary(to));
+}
+template <class Real, class Number>
+QTRAJ_INLINE bool load_fractions(const ArrayIn& array, size_t row, Number (&to)[1]) {
+  return load_numbers<Real>(array, row, to) && all(is_inside(to[0]));
+}
+
+// Calls `operation(row, number)`, the number's type telling how many rows at once, until the rows end or it is false:
+// it has then done nothing. How many rows it did.
+template <class Vector, class Operation>
+size_t do_rows(size_t first, size_t count, const Operation& operation) {
+  size_t row = first;
+  while (row + kLanesOf<Vector> <= count && operation(row, Vector())) row += kLanesOf<Vector>;
+  while (row < count && operation(row, double())) ++row;
+  return row - first;
+}
+
+}  // namespace
+}  // namespace qtraj

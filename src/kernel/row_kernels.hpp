@@ -1,0 +1,17 @@
+// The functions over rows of one kernel. Vector: what rows are done in, double where one at a time.
+#pragma once
+
+#include "continuous_rows.hpp"
+#include "pair_rows.hpp"
+#include "unit_rows.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Arithmetic, class Vector>
+constexpr RowKernels kRowKernels = {interpolate<SlerpRow, Arithmetic, Vector>,
+                                    interpolate<NlerpRow, Arithmetic, Vector>, rotate<Vector>, normalize<Vector>,
+                                    make_continuous<Vector>};
+
+}  // namespace
+}  // namespace qtraj

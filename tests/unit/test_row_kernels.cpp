@@ -1,0 +1,254 @@
+// The functions over rows in the vectors of every kernel: what they give is what each row alone gives, whatever stands
+// beside it, and they stay within the caller's arrays.
+#include <qtraj.h>
+
+#include <array>
+#include <cfloat>
+#include <functional>
+
+#include "support/guarded.hpp"
+#include "support/kernel_curves.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using test::Guarded;
+using test::Random;
+
+constexpr size_t kMost = 64;  // rows: every tail of a vector
+
+template <class Real>
+struct RowKernel {
+  const char* name;
+  std::vector<size_t> inputs;  // widths, the last of 1 a fraction
+  size_t output;
+  std::function<qtraj_status(const Real* const* in, size_t count, Real* out, size_t* bad_index)> call;
+};
+
+#define QTRAJ_TEST_PAIRS(function, path)                                                                               \
+  {                                                                                                                    \
+#function " " #path, {4, 4, 1 }, 4,                                                                                \
+                          [](auto in, size_t n, auto out,                                                              \
+                             size_t* bad) { return function(in[0], in[1], in[2], n, n, QTRAJ_PATH_##path, out, bad); } \
+  }
+
+std::vector<RowKernel<double>> row_kernels(double) {
+  return {
+      QTRAJ_TEST_PAIRS(qtraj_slerp_pairs, SHORTEST),
+      QTRAJ_TEST_PAIRS(qtraj_slerp_pairs, AS_GIVEN),
+      QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, SHORTEST),
+      QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, AS_GIVEN),
+      {"rotate",
+       {4, 3},
+       3,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotate(in[0], n, in[1], n, n, out, bad); }},
+      {"normalize",
+       {4},
+       4,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize(in[0], n, out, bad); }},
+  };
+}
+std::vector<RowKernel<float>> row_kernels(float) {
+  return {
+      QTRAJ_TEST_PAIRS(qtraj_slerp_pairs_f32, SHORTEST),
+      QTRAJ_TEST_PAIRS(qtraj_slerp_pairs_f32, AS_GIVEN),
+      QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, SHORTEST),
+      QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, AS_GIVEN),
+      {"rotate_f32",
+       {4, 3},
+       3,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotate_f32(in[0], n, in[1], n, n, out, bad); }},
+      {"normalize_f32",
+       {4},
+       4,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize_f32(in[0], n, out, bad); }},
+  };
+}
+
+qtraj_status make_continuous(const double* q, size_t series, size_t length, double* out, size_t* flips, size_t* bad) {
+  return qtraj_make_continuous(q, series, length, out, flips, bad);
+}
+qtraj_status make_continuous(const float* q, size_t series, size_t length, float* out, size_t* flips, size_t* bad) {
+  return qtraj_make_continuous_f32(q, series, length, out, flips, bad);
+}
+
+// Rows of which one in `rare` has a component that vectors do not do: of another magnitude, 0 or not finite; and of
+// which the quaternions come close to each other and to opposites.
+template <class Real>
+std::vector<Real> rows(Random& random, size_t width, int rare) {
+  constexpr double kTiny = sizeof(Real) == 4 ? 1e-30 : 1e-300, kHuge = 1 / kTiny;
+  const double odd[] = {0, kTiny, -kHuge, HUGE_VAL, std::nan(""), DBL_EPSILON};
+  std::vector<Real> all;
+  test::Quaternion q = random.orientation();
+  for (size_t row = 0; row < kMost; ++row) {
+    const test::Quaternion other = random.orientation();
+    for (size_t k = 0; k < 4; ++k) q[k] = row % 3 == 0 ? -q[k] : row % 3 == 1 ? other[k] : q[k] + 1e-9 * other[k];
+    const auto at = static_cast<size_t>(random.uniform(0, static_cast<double>(width) * rare));
+    for (size_t k = 0; k < width; ++k) {
+      double value = width == 1 ? random.uniform(0, 1) : q[k];
+      if (k == at) value = width == 1 ? odd[row % 6] + 1 : value * odd[row % 6];
+      all.push_back(static_cast<Real>(value));
+    }
+  }
+  return all;
+}
+
+template <class Real>
+bool same_bits(const Real* a, const Real* b, size_t count) {
+  for (size_t k = 0; k < count; ++k)
+    if (!(std::isnan(a[k]) && std::isnan(b[k])) && std::memcmp(&a[k], &b[k], sizeof(Real)) != 0) return false;
+  return true;
+}
+
+// One input's rows between guard pages.
+template <class Real>
+struct GuardedRows {
+  Guarded<Real> memory{4 * kMost};
+  const Real* place(const std::vector<Real>& from, size_t numbers, bool at_end) {
+    memory.protect(PROT_READ | PROT_WRITE);
+    Real* to = memory.array(numbers, at_end);
+    std::copy_n(from.begin(), numbers, to);
+    memory.protect(PROT_READ);
+    return to;
+  }
+};
+
+template <class Real>
+void check(const RowKernel<Real>& kernel, int rare) {
+  Random random(41 + static_cast<uint64_t>(rare));
+  std::vector<std::vector<Real>> in;
+  for (const size_t width : kernel.inputs) in.push_back(rows<Real>(random, width, rare));
+  std::vector<Real> expected(kernel.output * kMost);
+  std::vector<qtraj_status> statuses;
+  for (size_t row = 0; row < kMost; ++row) {
+    std::vector<const Real*> from;
+    for (size_t k = 0; k < in.size(); ++k) from.push_back(&in[k][kernel.inputs[k] * row]);
+    statuses.push_back(kernel.call(from.data(), 1, &expected[kernel.output * row], nullptr));
+  }
+
+  std::array<GuardedRows<Real>, 3> from;
+  Guarded<Real> to(4 * kMost);
+  size_t wrong = 0, wrong_outcome = 0, wrote_outside = 0;
+  for (size_t count = 0; count <= kMost; ++count)
+    for (const bool at_end : {true, false}) {
+      std::vector<const Real*> placed;
+      for (size_t k = 0; k < in.size(); ++k) placed.push_back(from[k].place(in[k], kernel.inputs[k] * count, at_end));
+      to.fill(0x5a);
+      Real* out = to.array(kernel.output * count, at_end);
+      size_t bad_index = 7;
+      const qtraj_status status = kernel.call(placed.data(), count, out, &bad_index);
+      size_t first_bad = 0;
+      while (first_bad < count && statuses[first_bad] == QTRAJ_OK) ++first_bad;
+      const bool all_ok = first_bad == count;
+      wrong_outcome +=
+          status != (all_ok ? QTRAJ_OK : statuses[first_bad]) || bad_index != (all_ok ? SIZE_MAX : first_bad);
+      wrong += !same_bits(out, expected.data(), kernel.output * count);
+      wrote_outside += !to.holds_around(out, kernel.output * count, 0x5a);
+    }
+  CHECK(wrong == 0);
+  CHECK(wrong_outcome == 0);
+  CHECK(wrote_outside == 0);
+}
+
+TEST_CASE("functions over rows give each row what it gets alone, in every kernel", "[row_kernels]") {
+  test::for_every_kernel([](const char*) {
+    for (const int rare : {1, 3, 20, 1000000}) {
+      for (const auto& kernel : row_kernels(0.0)) {
+        CAPTURE(kernel.name, rare);
+        check(kernel, rare);
+      }
+      for (const auto& kernel : row_kernels(0.0f)) {
+        CAPTURE(kernel.name, rare);
+        check(kernel, rare);
+      }
+    }
+  });
+}
+
+TEST_CASE("one row that serves all gives what its copies give, in every kernel", "[row_kernels]") {
+  test::for_every_kernel([](const char*) {
+    Random random(5);
+    const std::vector<double> a = rows<double>(random, 4, 1000000), v = rows<double>(random, 3, 1000000);
+    const double fraction = 0.3;
+    std::vector<double> a_copies, v_copies, fractions(kMost, fraction), one(4 * kMost), many(4 * kMost);
+    for (size_t row = 0; row < kMost; ++row)
+      a_copies.insert(a_copies.end(), a.begin(), a.begin() + 4),
+          v_copies.insert(v_copies.end(), v.begin(), v.begin() + 3);
+    qtraj_slerp_pairs(a_copies.data(), a.data(), fractions.data(), kMost, kMost, QTRAJ_PATH_SHORTEST, many.data(),
+                      nullptr);
+    qtraj_slerp_pairs(a_copies.data(), a.data(), &fraction, 1, kMost, QTRAJ_PATH_SHORTEST, one.data(), nullptr);
+    CHECK(same_bits(one.data(), many.data(), 4 * kMost));
+    qtraj_rotate(a_copies.data(), kMost, v.data(), kMost, kMost, many.data(), nullptr);
+    qtraj_rotate(a.data(), 1, v.data(), kMost, kMost, one.data(), nullptr);
+    CHECK(same_bits(one.data(), many.data(), 3 * kMost));
+    qtraj_rotate(a.data(), kMost, v_copies.data(), kMost, kMost, many.data(), nullptr);
+    qtraj_rotate(a.data(), kMost, v.data(), 1, kMost, one.data(), nullptr);
+    CHECK(same_bits(one.data(), many.data(), 3 * kMost));
+  });
+}
+
+// What make_continuous does, key after key; a key at fault is passed over.
+template <class Real>
+std::vector<Real> continued(const std::vector<Real>& q, size_t series, size_t length, size_t& flips) {
+  std::vector<Real> result = q;
+  flips = 0;
+  for (size_t first = 0; first < series * length; first += length) {
+    const Real* previous = nullptr;
+    for (size_t row = first; row < first + length; ++row) {
+      Real* key = &result[4 * row];
+      long double cosine = 0, largest = 0;
+      for (size_t k = 0; k < 4; ++k) largest = std::max(largest, std::abs(static_cast<long double>(key[k])));
+      const bool is_key = std::all_of(key, key + 4, [](Real value) { return std::isfinite(value); }) && largest > 0;
+      if (!is_key) {
+        std::fill_n(key, 4, static_cast<Real>(std::nan("")));
+        continue;
+      }
+      for (size_t k = 0; k < 4 && previous; ++k) cosine += static_cast<long double>(previous[k]) * key[k];
+      if (cosine < 0) {
+        for (size_t k = 0; k < 4; ++k) key[k] = -key[k];
+        ++flips;
+      }
+      previous = key;
+    }
+  }
+  return result;
+}
+
+template <class Real>
+void check_continuous(int rare) {
+  Random random(43);
+  Guarded<Real> from(4 * kMost), to(4 * kMost);
+  size_t wrong = 0, wrong_flips = 0, wrote_outside = 0;
+  for (size_t count = 1; count <= kMost; ++count)
+    for (const size_t series : {size_t{1}, size_t{2}, count})
+      for (const bool at_end : {true, false})
+        for (const bool in_place : {true, false}) {
+          const size_t length = count / series, numbers = 4 * series * length;
+          std::vector<Real> q = rows<Real>(random, 4, rare);
+          q.resize(numbers);
+          size_t expected_flips, flips = 0;
+          const std::vector<Real> expected = continued(q, series, length, expected_flips);
+          to.fill(0x5a);
+          Real *given = from.array(numbers, at_end), *out = in_place ? given : to.array(numbers, at_end);
+          std::copy(q.begin(), q.end(), given);
+          make_continuous(given, series, length, out, &flips, nullptr);
+          wrong += !same_bits(out, expected.data(), numbers);
+          wrong_flips += flips != expected_flips;
+          if (!in_place) wrote_outside += !to.holds_around(out, numbers, 0x5a);
+        }
+  CHECK(wrong == 0);
+  CHECK(wrong_flips == 0);
+  CHECK(wrote_outside == 0);
+}
+
+TEST_CASE("keys are made continuous the same way in every kernel, in place or not", "[row_kernels]") {
+  test::for_every_kernel([](const char*) {
+    for (const int rare : {1, 3, 20, 1000000}) {
+      CAPTURE(rare);
+      check_continuous<double>(rare);
+      check_continuous<float>(rare);
+    }
+  });
+}
+
+}  // namespace
