@@ -1,9 +1,10 @@
 // Two quaternions of any norm but 0, and slerp and nlerp between them at any real fraction: 0 at a, 1 at b.
 //
 // Between the ends of pairs up to a quarter turn of S^3 apart, results are those of the kernels (kernel/pair_rows.hpp).
-// What follows is for the rest. Inputs are taken as exact: the turn from a to b is known to a few eps of itself at every
-// angle, so that even the shortest arc can be followed for many turns. Results are made from the nearer end, a up to
-// fraction 1/2 and b from there: at fractions 0 and 1 they are a / |a| and b / |b| as rounded, whatever the other end is.
+// What follows is for the rest. Inputs are taken as exact: the turn from a to b is known to a few eps of itself at
+// every angle, so that even the shortest arc can be followed for many turns. Results are made from the nearer end, a up
+// to fraction 1/2 and b from there: at fractions 0 and 1 they are a / |a| and b / |b| as rounded, whatever the other
+// end is.
 #pragma once
 
 #include "qtraj/rows.hpp"
