@@ -99,6 +99,15 @@ class HalfRates {
   Workspace workspace_;
 };
 
+// Whether the arcs are close enough for the kernels' shorter forms. The cosine of their distance at s in [-1, 1] has a
+// second derivative below (x + y)^2, x and y their half angles: between its ends and the middle it stays within an
+// eighth of that of the chords.
+bool are_near(const Arc& outer, const Arc& inner, double cosine_at_start, double cosine_at_end) {
+  const double angles = outer.half_angle + inner.half_angle;
+  const double least = std::min({cosine_at_start, dot(outer.m, inner.m), cosine_at_end});
+  return inner.half_angle <= 0.25 * kPi && least - angles * angles / 8.0 >= 0.5;
+}
+
 void store_arc(const Arc& arc, NestedArcsSegment::Arc& out) {
   out.half_angle = arc.half_angle;
   store(arc.m, out.m);
@@ -124,6 +133,7 @@ Outcome build_squad(Construction& construction) {
   const Keyframes& keys = construction.keys;
   const Workspace workspace = workspace_of(construction);
   auto* segments = static_cast<NestedArcsSegment*>(construction.segments);
+  bool all_near = true;
   for (size_t i = 0; i < keys.segments(); ++i) {
     const SquadChord log_chord = {load(workspace.log[i]), keys.step(i)};
     const UnitQuaternion from = keys[i], to = keys[i + 1];
@@ -137,6 +147,10 @@ Outcome build_squad(Construction& construction) {
     const Quaternion control_sum = a_offset + b_offset;
     const Arc outer = arc_between(chord, opposite_chord);
     const Arc inner = arc_between(chord + (b_offset - a_offset), opposite_chord + control_sum);
+    // controls are unit: their dot products with the keys are 1 - |offset|^2/2
+    const double cosine_at_start = 1.0 - 0.5 * dot(a_offset, a_offset),
+                 cosine_at_end = 1.0 - 0.5 * dot(b_offset, b_offset);
+    all_near = all_near && are_near(outer, inner, cosine_at_start, cosine_at_end);
     segments[i].scale = 2.0 / log_chord.h;
     store_arc(outer, segments[i].keys);
     store_arc(inner, segments[i].controls);
@@ -146,6 +160,7 @@ Outcome build_squad(Construction& construction) {
     const double inner_sum = length(Quaternion(opposite_chord + control_sum));
     store_relative(outer, inner, is_short ? Quaternion(control_sum / inner_sum) : inner.m, segments[i].relative);
   }
+  construction.range = all_near ? ExponentRange::quarter_turn : ExponentRange::any;
   construction.omega_start = 2.0 * load(workspace.half_rate[0]);
   construction.omega_end = 2.0 * load(workspace.half_rate[keys.segments()]);
   return {};

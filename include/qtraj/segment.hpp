@@ -60,7 +60,9 @@ struct NormalizedSegment {
 };
 
 // Largest |p| of rotation-vector segments: how far the kernels must reduce it. `any` also says that coefficients, of
-// these and of normalised segments, may be past the range of float: such curves are always evaluated in double.
+// these and of normalised segments, may be past the range of float: such curves are always evaluated in double. Of
+// nested arcs: any unless the two are never more than pi/3 apart, so that |p| <= pi/6, and the inner one is at most a
+// quarter turn of S^3.
 enum class ExponentRange { quarter_turn, half_turn, full_turn, any };  // |p| <= pi/2, pi, 2 pi
 
 }  // namespace qtraj

@@ -31,6 +31,20 @@ QTRAJ_INLINE CosSin<Number> on_controls_arc(Number x) {
   return {evaluate<Arithmetic, CosHalf>(y), x * evaluate<Arithmetic, SincHalf>(y)};
 }
 
+// slerp(p, c; f) for f in [0, 1/2] of p and c at most pi/3 apart, theta, by d = cos theta and H = theta/sin theta:
+//   weight of c = sin(f theta)/sin theta = f H sinc(f theta),  weight of p = cos(f theta) - d (weight of c).
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void slerp_between_near(const Number (&p)[4], const Number (&c)[4], Number f, Number (&q)[4]) {
+  using Real = Element<Number>;
+  const Number d = dot<Arithmetic>(p, c), z = Number(Real(1)) - d;
+  const Number h = evaluate<Arithmetic, AcosRatioNear>(z);
+  const Number y = (f * f) * ((h * h) * (z * (Number(Real(2)) - z)));  // (f theta)^2
+  const Number weight_c = (f * h) * evaluate<Arithmetic, SincArc>(y);
+  const Number weight_p = Arithmetic::multiply_add(-d, weight_c, evaluate<Arithmetic, CosArc>(y));
+  combine<Arithmetic>(p, weight_p, c, weight_c, q);
+  newton_normalize<Arithmetic>(q);
+}
+
 // slerp(p, c; f) for f in [0, 1/2] without an arc function of a rounded dot product. With z = cos(theta/2) = |p + c|/2
 // and g = G(1 - z) = (theta/2)/sin(theta/2):
 //   weight of c = sin(f theta)/sin theta = f g sinc(f theta)/z,  weight of p = cos(f theta) - cos theta (weight of c).
@@ -64,11 +78,12 @@ struct ArcPair {
   CosSin<Number> keys, controls;
   Number keys_rate, controls_rate;
 };
-template <class Arithmetic, class Number>
+template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE ArcPair<Number> arc_pair(const NestedArcsSegmentOf<Number>& segment, Number s) {
   const Number keys_rate = segment.keys.half_angle, controls_rate = segment.controls.half_angle;
-  return {on_keys_arc<Arithmetic>(s * keys_rate), on_controls_arc<Arithmetic>(s * controls_rate), keys_rate,
-          controls_rate};
+  const CosSin<Number> keys = on_keys_arc<Arithmetic>(s * keys_rate);
+  if constexpr (kNear) return {keys, on_keys_arc<Arithmetic>(s * controls_rate), keys_rate, controls_rate};
+  return {keys, on_controls_arc<Arithmetic>(s * controls_rate), keys_rate, controls_rate};
 }
 
 // A sum a0 c C + a1 c S + a2 s C + a3 s S over the products of the arcs' cosines and sines, and its derivatives in s.
@@ -92,10 +107,10 @@ QTRAJ_INLINE Jet<Number> product_sum(const ArcPair<Number>& arcs, Number a0, Num
 
 // H = theta/sin theta as a function of d = cos theta, and its first two derivatives: from the polynomial G(1 - d) where
 // the closed forms, H' = (d H - 1)/(1 - d^2) and H'' = (H + 3 d H')/(1 - d^2), would cancel, from these elsewhere.
-template <class Arithmetic, class Number>
+template <class Arithmetic, class Polynomial, class Number>
 QTRAJ_INLINE Jet<Number> angle_over_sine_near_one(Number d) {
   using Real = Element<Number>;
-  constexpr const auto& kCoefficients = coefficients<Number>(AcosRatio{});
+  constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
   constexpr size_t kTerms = sizeof kCoefficients / sizeof kCoefficients[0];
   const Number z = Number(Real(1)) - d;
   Number value = Number(Real(0)), first = value, half_second = value;
@@ -120,18 +135,19 @@ QTRAJ_INLINE Jet<Number> angle_over_sine_by_quotients(Number d) {
   const Number first = (d * h - one) * inverse;
   return {h, first, (h + Number(Real(3)) * d * first) * inverse};
 }
-template <class Arithmetic, class Number>
+template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE Jet<Number> angle_over_sine(Number d) {
   using Real = Element<Number>;
+  if constexpr (kNear) return angle_over_sine_near_one<Arithmetic, AcosRatioNear>(d);
   const auto is_near = Number(Real(0.7)) <= d;
-  const Jet<Number> near = angle_over_sine_near_one<Arithmetic>(d);
+  const Jet<Number> near = angle_over_sine_near_one<Arithmetic, AcosRatio>(d);
   const Jet<Number> far = angle_over_sine_by_quotients<Arithmetic>(select(is_near, Number(Real(0)), d));
   return {select(is_near, near.value, far.value), select(is_near, near.first, far.first),
           select(is_near, near.second, far.second)};
 }
 
 // p = f H v, the half-angle vector from P to q, with its derivatives in s; f = (1 - s^2)/2.
-template <class Arithmetic, class Number>
+template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
                                HalfAngleJet<Number>& jet) {
   using Real = Element<Number>;
@@ -142,7 +158,7 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
   const auto& control_e = segment.controls.e;
   const Jet<Number> d = product_sum<Arithmetic>(arcs, dot<Arithmetic>(m, control_m), dot<Arithmetic>(m, control_e),
                                                 dot<Arithmetic>(e, control_m), dot<Arithmetic>(e, control_e));
-  const Jet<Number> of_d = angle_over_sine<Arithmetic>(d.value);
+  const Jet<Number> of_d = angle_over_sine<Arithmetic, kNear>(d.value);
   const Jet<Number> h = {of_d.value, of_d.first * d.first, of_d.second * d.first * d.first + of_d.first * d.second};
   const Jet<Number> f = {half - half * s * s, -s, Number(Real(-1))};
   const Jet<Number> fh = {f.value * h.value, f.first * h.value + f.value * h.first,
@@ -156,7 +172,8 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
   }
 }
 
-template <class Arithmetic>
+// kNear: the arcs are never more than pi/3 apart, and the one between the controls is at most a quarter turn.
+template <class Arithmetic, bool kNear>
 struct NestedArcsEvaluator : EvaluatorDefaults {
   template <class Value>
   using SegmentOf = NestedArcsSegmentOf<Value>;
@@ -165,10 +182,14 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number s, Number (&q)[4]) const {
     using Real = Element<Number>;
     Number p[4], c[4];
-    const ArcPair<Number> arcs = arc_pair<Arithmetic>(segment, s);
+    const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
     combine<Arithmetic>(segment.keys.m, arcs.keys.c, segment.keys.e, arcs.keys.s, p);
     combine<Arithmetic>(segment.controls.m, arcs.controls.c, segment.controls.e, arcs.controls.s, c);
-    slerp_between<Arithmetic>(p, c, Arithmetic::multiply_add(Number(Real(-0.5)) * s, s, Number(Real(0.5))), q);
+    const Number f = Arithmetic::multiply_add(Number(Real(-0.5)) * s, s, Number(Real(0.5)));
+    if constexpr (kNear)
+      slerp_between_near<Arithmetic>(p, c, f, q);
+    else
+      slerp_between<Arithmetic>(p, c, f, q);
   }
 
   // With the rotation between the arcs written out, q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta, the
@@ -176,9 +197,9 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   // products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
   template <class Number>
   QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, Rates<Number>& rates) const {
-    const ArcPair<Number> arcs = arc_pair<Arithmetic>(segment, s);
+    const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
     HalfAngleJet<Number> jet;
-    exponent_jet<Arithmetic>(segment, arcs, s, jet);
+    exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
     Rates<Number> inner;
     exponential_rates<Arithmetic>(jet, 0, inner);
 

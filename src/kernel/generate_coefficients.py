@@ -30,6 +30,7 @@ MEMBERS = {DOUBLE: "double kDouble", FLOAT: "float kFloat"}
 MARGIN = mpf("1.0001")
 ARC = (pi / 4 * MARGIN) ** 2
 HALF = (pi / 2 * MARGIN) ** 2
+NEAR = MARGIN / 2
 TANGENT = (tan(pi / 8) * MARGIN) ** 2
 
 
@@ -77,6 +78,8 @@ POLYNOMIALS = [
     Polynomial("DHalf", "D = (K - C) / y", "y", d, mpf(1) / 3, HALF, {DOUBLE: 9, FLOAT: 5}),
     Polynomial("EHalf", "E = (3 D - K) / y", "y", e, mpf(1) / 15, HALF, {DOUBLE: 8, FLOAT: 5}),
     Polynomial("AcosRatio", "acos(1 - z) / sqrt(z (2 - z))", "z", acos_ratio, mpf(1), mpf(1), {DOUBLE: 22, FLOAT: 10}),
+    # two terms more than its value needs: the second derivative is used too
+    Polynomial("AcosRatioNear", "acos(1 - z) / sqrt(z (2 - z))", "z", acos_ratio, mpf(1), NEAR, {DOUBLE: 17, FLOAT: 9}),
     Polynomial("AtanRatio", "atan(sqrt a) / sqrt a", "a", atan_ratio, mpf(1), TANGENT, {DOUBLE: 12}),
 ]
 

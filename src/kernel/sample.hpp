@@ -137,7 +137,8 @@ auto with_evaluator(const Trajectory& trajectory, const With& with) {
     case SegmentKind::arc:
       return with(ArcEvaluator<Arithmetic>{});
     case SegmentKind::nested_arcs:
-      return with(NestedArcsEvaluator<Arithmetic>{});
+      if (trajectory.range == ExponentRange::any) return with(NestedArcsEvaluator<Arithmetic, false>{});
+      return with(NestedArcsEvaluator<Arithmetic, true>{});
     case SegmentKind::normalized:
       return with(NormalizedEvaluator<Arithmetic, 1, false>{});
     case SegmentKind::normalized_quintic:

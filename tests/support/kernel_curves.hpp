@@ -37,6 +37,7 @@ inline std::vector<KernelCase> kernel_cases() {
   return {{{"SLERP", QTRAJ_SLERP}, 20, 3.1, 0},
           {{"NLERP", QTRAJ_NLERP}, 20, 3.1, 0},
           {{"SQUAD", QTRAJ_SQUAD}, 20, 2.0, 0},
+          {{"SQUAD, arcs near", QTRAJ_SQUAD}, 20, 0.5, 0},
           {log_spline("quarter turn"), 5, 0.1, 0},
           {log_spline("half turn"), 9, 1.0, 0},
           {log_spline("full turn"), 12, 2.0, 0},
