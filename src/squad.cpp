@@ -133,7 +133,6 @@ Outcome build_squad(Construction& construction) {
   const Keyframes& keys = construction.keys;
   const Workspace workspace = workspace_of(construction);
   auto* segments = static_cast<NestedArcsSegment*>(construction.segments);
-  bool all_near = true;
   for (size_t i = 0; i < keys.segments(); ++i) {
     const SquadChord log_chord = {load(workspace.log[i]), keys.step(i)};
     const UnitQuaternion from = keys[i], to = keys[i + 1];
@@ -150,8 +149,8 @@ Outcome build_squad(Construction& construction) {
     // controls are unit: their dot products with the keys are 1 - |offset|^2/2
     const double cosine_at_start = 1.0 - 0.5 * dot(a_offset, a_offset),
                  cosine_at_end = 1.0 - 0.5 * dot(b_offset, b_offset);
-    all_near = all_near && are_near(outer, inner, cosine_at_start, cosine_at_end);
     segments[i].scale = 2.0 / log_chord.h;
+    segments[i].near = are_near(outer, inner, cosine_at_start, cosine_at_end) ? 1.0 : 0.0;
     store_arc(outer, segments[i].keys);
     store_arc(inner, segments[i].controls);
     // The sum of the keys is along the outer middle: what the controls add to it makes the difference of the middles,
@@ -160,7 +159,6 @@ Outcome build_squad(Construction& construction) {
     const double inner_sum = length(Quaternion(opposite_chord + control_sum));
     store_relative(outer, inner, is_short ? Quaternion(control_sum / inner_sum) : inner.m, segments[i].relative);
   }
-  construction.range = all_near ? ExponentRange::quarter_turn : ExponentRange::any;
   construction.omega_start = 2.0 * load(workspace.half_rate[0]);
   construction.omega_end = 2.0 * load(workspace.half_rate[keys.segments()]);
   return {};

@@ -45,6 +45,7 @@ struct NestedArcsSegmentOf {
     Value m[4], e[4];
   };
   Value scale;  // 2/h
+  Value near;   // 1 where the arcs are never more than pi/3 apart and the inner one is at most a quarter turn, else 0
   Arc keys, controls;
   // For the rates: Im(P* C) of points on the two arcs is the sum of these times cos cos, cos sin, sin cos, sin sin of
   // their angles. The first, Im(m_keys* m_controls), is far below rounding on short arcs, so that it is stored.
@@ -60,9 +61,7 @@ struct NormalizedSegment {
 };
 
 // Largest |p| of rotation-vector segments: how far the kernels must reduce it. `any` also says that coefficients, of
-// these and of normalised segments, may be past the range of float: such curves are always evaluated in double. Of
-// nested arcs: any unless the two are never more than pi/3 apart, so that |p| <= pi/6, and the inner one is at most a
-// quarter turn of S^3.
+// these and of normalised segments, may be past the range of float: such curves are always evaluated in double.
 enum class ExponentRange { quarter_turn, half_turn, full_turn, any };  // |p| <= pi/2, pi, 2 pi
 
 }  // namespace qtraj

@@ -172,49 +172,85 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
   }
 }
 
-// kNear: the arcs are never more than pi/3 apart, and the one between the controls is at most a quarter turn.
-template <class Arithmetic, bool kNear>
+template <class Arithmetic, bool kNear, class Number>
+QTRAJ_INLINE void nested_arcs(const NestedArcsSegmentOf<Number>& segment, Number s, Number (&q)[4]) {
+  using Real = Element<Number>;
+  Number p[4], c[4];
+  const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
+  combine<Arithmetic>(segment.keys.m, arcs.keys.c, segment.keys.e, arcs.keys.s, p);
+  combine<Arithmetic>(segment.controls.m, arcs.controls.c, segment.controls.e, arcs.controls.s, c);
+  const Number f = Arithmetic::multiply_add(Number(Real(-0.5)) * s, s, Number(Real(0.5)));
+  if constexpr (kNear)
+    slerp_between_near<Arithmetic>(p, c, f, q);
+  else
+    slerp_between<Arithmetic>(p, c, f, q);
+}
+
+// With the rotation between the arcs written out, q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta, the
+// body rates are those of exp p and, turned by it, the constant one of P. v is a sum of four constant vectors times
+// products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
+template <class Arithmetic, bool kNear, class Number>
+QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, Number s, Rates<Number>& rates) {
+  const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
+  HalfAngleJet<Number> jet;
+  exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
+  Rates<Number> inner;
+  exponential_rates<Arithmetic>(jet, 0, inner);
+
+  // the outer arc's rate seen from behind exp p: turned by its inverse
+  Number carried[3], turning[3];
+  relative_vector_part<Arithmetic>(segment.keys.m, segment.keys.e, carried);
+  for (Number& component : carried) component = component * (Number(Element<Number>(2)) * arcs.keys_rate);
+  const CosSinc<Number> f = cos_sinc<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0);
+  const Number inverse[4] = {f.c, -f.k * jet.p[0], -f.k * jet.p[1], -f.k * jet.p[2]};
+  rotate_to_world<Arithmetic>(inverse, carried);
+  cross<Arithmetic>(inner.omega, carried, turning);
+  for (size_t k = 0; k < 3; ++k) {
+    rates.omega[k] = carried[k] + inner.omega[k];
+    rates.alpha[k] = inner.alpha[k] - turning[k];
+  }
+}
+
+// Where segments of either kind stand side by side both forms are computed.
+template <class Arithmetic>
 struct NestedArcsEvaluator : EvaluatorDefaults {
   template <class Value>
   using SegmentOf = NestedArcsSegmentOf<Value>;
 
   template <class Number>
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number s, Number (&q)[4]) const {
-    using Real = Element<Number>;
-    Number p[4], c[4];
-    const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
-    combine<Arithmetic>(segment.keys.m, arcs.keys.c, segment.keys.e, arcs.keys.s, p);
-    combine<Arithmetic>(segment.controls.m, arcs.controls.c, segment.controls.e, arcs.controls.s, c);
-    const Number f = Arithmetic::multiply_add(Number(Real(-0.5)) * s, s, Number(Real(0.5)));
-    if constexpr (kNear)
-      slerp_between_near<Arithmetic>(p, c, f, q);
-    else
-      slerp_between<Arithmetic>(p, c, f, q);
+    const auto near = is_near(segment);
+    Number close[4], general[4];
+    clear(close), clear(general);
+    if (any(near)) nested_arcs<Arithmetic, true>(segment, s, close);
+    if (!all(near)) nested_arcs<Arithmetic, false>(segment, s, general);
+    choose(near, close, general, q);
   }
 
-  // With the rotation between the arcs written out, q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta, the
-  // body rates are those of exp p and, turned by it, the constant one of P. v is a sum of four constant vectors times
-  // products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
   template <class Number>
   QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, Rates<Number>& rates) const {
-    const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
-    HalfAngleJet<Number> jet;
-    exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
-    Rates<Number> inner;
-    exponential_rates<Arithmetic>(jet, 0, inner);
+    const auto near = is_near(segment);
+    Rates<Number> close, general;
+    clear(close.omega), clear(close.alpha), clear(general.omega), clear(general.alpha);
+    if (any(near)) nested_arcs_rates<Arithmetic, true>(segment, s, close);
+    if (!all(near)) nested_arcs_rates<Arithmetic, false>(segment, s, general);
+    choose(near, close.omega, general.omega, rates.omega);
+    choose(near, close.alpha, general.alpha, rates.alpha);
+  }
 
-    // the outer arc's rate seen from behind exp p: turned by its inverse
-    Number carried[3], turning[3];
-    relative_vector_part<Arithmetic>(segment.keys.m, segment.keys.e, carried);
-    for (Number& component : carried) component = component * (Number(Element<Number>(2)) * arcs.keys_rate);
-    const CosSinc<Number> f = cos_sinc<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0);
-    const Number inverse[4] = {f.c, -f.k * jet.p[0], -f.k * jet.p[1], -f.k * jet.p[2]};
-    rotate_to_world<Arithmetic>(inverse, carried);
-    cross<Arithmetic>(inner.omega, carried, turning);
-    for (size_t k = 0; k < 3; ++k) {
-      rates.omega[k] = carried[k] + inner.omega[k];
-      rates.alpha[k] = inner.alpha[k] - turning[k];
-    }
+ private:
+  template <class Number>
+  QTRAJ_INLINE static auto is_near(const SegmentOf<Number>& segment) {
+    return Number(Element<Number>(0.5)) < segment.near;
+  }
+  template <class Number, size_t Size>
+  QTRAJ_INLINE static void clear(Number (&values)[Size]) {
+    for (Number& value : values) value = Number(Element<Number>(0));
+  }
+  template <class Mask, class Number, size_t Size>
+  QTRAJ_INLINE static void choose(Mask near, const Number (&close)[Size], const Number (&general)[Size],
+                                  Number (&chosen)[Size]) {
+    for (size_t k = 0; k < Size; ++k) chosen[k] = select(near, close[k], general[k]);
   }
 };
 

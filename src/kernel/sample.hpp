@@ -137,8 +137,7 @@ auto with_evaluator(const Trajectory& trajectory, const With& with) {
     case SegmentKind::arc:
       return with(ArcEvaluator<Arithmetic>{});
     case SegmentKind::nested_arcs:
-      if (trajectory.range == ExponentRange::any) return with(NestedArcsEvaluator<Arithmetic, false>{});
-      return with(NestedArcsEvaluator<Arithmetic, true>{});
+      return with(NestedArcsEvaluator<Arithmetic>{});
     case SegmentKind::normalized:
       return with(NormalizedEvaluator<Arithmetic, 1, false>{});
     case SegmentKind::normalized_quintic:
