@@ -8,9 +8,10 @@ bool invert(const Matrix3& matrix, Matrix3& inverse) {
   const double determinant = dot(a, bc);
   const double largest = std::max({largest_component(a), largest_component(b), largest_component(c)});
   if (!(std::abs(determinant) > 1e-12 * largest * largest * largest)) return false;
-  inverse.row(0) = bc / determinant;
-  inverse.row(1) = cross(c, a) / determinant;
-  inverse.row(2) = cross(a, b) / determinant;
+  const double scale = 1.0 / determinant;
+  inverse.row(0) = scale * bc;
+  inverse.row(1) = scale * cross(c, a);
+  inverse.row(2) = scale * cross(a, b);
   return true;
 }
 

@@ -43,7 +43,8 @@ Outcome build_rotation_quintic(Construction& construction) {
 
     const Vector3 log = relative_log(keys[i], keys[i + 1]), r = 2.0 * log;
     const Vector3 end_rise = inverse_right_jacobian(r, rates.rise[1]);
-    const Vector3 end_bend = inverse_right_jacobian(r, Vector3(rates.bend[1] - turning_acceleration(r, end_rise)));
+    const Vector3 end_bend =
+        inverse_right_jacobian(r, Vector3(rates.bend[1] - turning_acceleration(turning_factors(r), r, end_rise)));
     const EndValues<Vector3> p = {
         {Vector3::Zero(), log}, {0.5 * rates.rise[0], 0.5 * end_rise}, {0.5 * rates.bend[0], 0.5 * end_bend}};
     bound = std::max(bound, set_quintic(keys[i].value, keys.step(i), p, segments[i]));

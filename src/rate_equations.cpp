@@ -24,6 +24,7 @@ RateWorkspace rate_workspace_of(const Construction& construction) {
   workspace.w = vectors();
   workspace.saved = vectors();
   workspace.r = vectors();
+  workspace.turning = vectors();
   workspace.jacobian = matrices();
   workspace.inverse = matrices();
   workspace.space.x = vectors();
@@ -63,7 +64,9 @@ Outcome RateEquations::fix_end(size_t knot) {
 Outcome RateEquations::prepare() {
   for (size_t i = 0; i < keys_.segments(); ++i) {
     const Vector3 r = 2.0 * relative_log(keys_[i], keys_[i + 1]);
+    const TurningFactors turning = turning_factors(r);
     store(r, workspace_.r[i]);
+    store(Vector3(turning.along_once, turning.along_twice, turning.sideways), workspace_.turning[i]);
     block::store(right_jacobian_matrix(r), workspace_.jacobian[i]);
     block::store(inverse_right_jacobian_matrix(r), workspace_.inverse[i]);
   }
@@ -79,8 +82,10 @@ Outcome RateEquations::prepare() {
 // beta(R, A w) at the right end of a segment, with its derivative: multiplied by h, so that w only appears as h w.
 void RateEquations::add_turning(size_t segment, const Vector3& rate, double weight, BlockRow& row) const {
   const Vector3 end_rise = product(inverse(segment), Vector3(h(segment) * rate));
-  row.right -= (weight / h(segment)) * turning_acceleration(r(segment), end_rise);
-  row.diagonal += weight * product(turning_jacobian(r(segment), end_rise), inverse(segment));
+  const double* turning = workspace_.turning[segment];
+  const TurningFactors factors = {turning[0], turning[1], turning[2]};
+  row.right -= (weight / h(segment)) * turning_acceleration(factors, r(segment), end_rise);
+  row.diagonal += weight * product(turning_jacobian(factors, r(segment), end_rise), inverse(segment));
 }
 
 BlockRow RateEquations::inner_row(size_t knot, double weight) const {

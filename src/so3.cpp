@@ -18,7 +18,8 @@ double polynomial(const double (&coefficients)[Terms], double x) {
 struct HalfAngleFactors {
   double c, k, d, e;
 };
-HalfAngleFactors half_angle_factors(double y) {
+HalfAngleFactors factors_of(const Vector3& r) {
+  const double y = 0.25 * dot(r, r);
   constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
   if (y <= kPolynomialLimit)
     return {polynomial(CosHalf::kDouble, y), polynomial(SincHalf::kDouble, y), polynomial(DHalf::kDouble, y),
@@ -75,43 +76,41 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
   return (rotation.angle + 2.0 * kPi * turns) * axis;
 }
 
-Vector3 right_jacobian(const Vector3& r, const Vector3& d) {
-  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+namespace {
+
+Vector3 right_jacobian(const HalfAngleFactors& f, const Vector3& r, const Vector3& d) {
   // the factors go with d: for r of many turns r x (r x d) could overflow where its multiple does not
   const Vector3 first = cross(r, (0.5 * f.k * f.k) * d);
   const Vector3 second = cross(r, cross(r, (0.25 * (f.k * f.k - f.c * f.d)) * d));
   return d - first + second;
 }
 
-Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w) {
-  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+Vector3 inverse_right_jacobian(const HalfAngleFactors& f, const Vector3& r, const Vector3& w) {
   const Vector3 once = cross(r, w);
   return w + 0.5 * once + (0.25 * f.d / f.k) * cross(r, once);
 }
 
-namespace {
+}  // namespace
 
-// The three factors of beta.
-struct TurningFactors {
-  double along_once, along_twice, sideways;
-};
+Vector3 right_jacobian(const Vector3& r, const Vector3& d) { return right_jacobian(factors_of(r), r, d); }
+
+Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w) {
+  return inverse_right_jacobian(factors_of(r), r, w);
+}
+
 TurningFactors turning_factors(const Vector3& r) {
-  const HalfAngleFactors f = half_angle_factors(0.25 * dot(r, r));
+  const HalfAngleFactors f = factors_of(r);
   return {0.25 * f.k * f.d, 0.0625 * (f.c * f.e - f.k * f.d), 0.25 * (f.k * f.k - f.c * f.d)};
 }
 
-}  // namespace
-
-Vector3 turning_acceleration(const Vector3& r, const Vector3& d) {
-  const TurningFactors f = turning_factors(r);
+Vector3 turning_acceleration(const TurningFactors& f, const Vector3& r, const Vector3& d) {
   const double along = dot(r, d);
   const Vector3 once = cross(r, d);
   return (f.along_once * along) * once + (f.along_twice * along) * cross(r, once) + f.sideways * cross(d, once);
 }
 
-Matrix3 turning_jacobian(const Vector3& r, const Vector3& d) {
+Matrix3 turning_jacobian(const TurningFactors& f, const Vector3& r, const Vector3& d) {
   // term by term the product rule on beta
-  const TurningFactors f = turning_factors(r);
   const double along = dot(r, d);
   const Vector3 once = cross(r, d);
   const Matrix3 by_r = cross_matrix(r);
@@ -121,14 +120,16 @@ Matrix3 turning_jacobian(const Vector3& r, const Vector3& d) {
 }
 
 Matrix3 right_jacobian_matrix(const Vector3& r) {
+  const HalfAngleFactors f = factors_of(r);
   Matrix3 matrix;
-  for (int k = 0; k < 3; ++k) matrix.col(k) = right_jacobian(r, Vector3::Unit(k));
+  for (int k = 0; k < 3; ++k) matrix.col(k) = right_jacobian(f, r, Vector3::Unit(k));
   return matrix;
 }
 
 Matrix3 inverse_right_jacobian_matrix(const Vector3& r) {
+  const HalfAngleFactors f = factors_of(r);
   Matrix3 matrix;
-  for (int k = 0; k < 3; ++k) matrix.col(k) = inverse_right_jacobian(r, Vector3::Unit(k));
+  for (int k = 0; k < 3; ++k) matrix.col(k) = inverse_right_jacobian(f, r, Vector3::Unit(k));
   return matrix;
 }
 

@@ -27,7 +27,9 @@ double length(const Vector& a) {
   return std::sqrt(dot(a, a));
 }
 
-Vector3 cross(const Vector3& a, const Vector3& b);
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 // Cosine, on S^3, of two orientations half a turn apart, to rounding: which way from one to the other is the shorter is
 // then nobody's intent.
@@ -38,7 +40,10 @@ inline Vector3 vector_part(const Quaternion& q) { return {q[1], q[2], q[3]}; }
 inline Quaternion conjugate(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
 
 // Hamilton product a b.
-Quaternion multiply(const Quaternion& a, const Quaternion& b);
+inline Quaternion multiply(const Quaternion& a, const Quaternion& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
 
 // q v q^-1 for unit q: takes body vectors to world.
 Vector3 rotate(const Quaternion& q, const Vector3& v);

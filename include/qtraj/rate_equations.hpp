@@ -6,19 +6,20 @@
 
 namespace qtraj {
 
-constexpr size_t kRotationSplineWorkspacePerKey = 48;
+constexpr size_t kRotationSplineWorkspacePerKey = 51;
 
 // Working space, each [count]: rates at the knots, the Newton step, the elimination, and a copy of the rates to go
-// back to. R_i and the matrices of segment i are in row i.
+// back to. R_i, the factors and the matrices of segment i are in row i.
 struct RateWorkspace {
   double (*w)[3];
   double (*saved)[3];
   double (*r)[3];
+  double (*turning)[3];   // factors of beta
   double (*jacobian)[9];  // Jr(R_i)
   double (*inverse)[9];   // A_i
   BlockSpace space;
 };
-static_assert(kRotationSplineWorkspacePerKey == 4 * 3 + 4 * 9, "four vectors and four matrices");
+static_assert(kRotationSplineWorkspacePerKey == 5 * 3 + 4 * 9, "five vectors and four matrices");
 RateWorkspace rate_workspace_of(const Construction& construction);
 
 // The equations for the rates, beta weighted by a factor from 0 to 1, and what solving them needs. Rows are multiplied

@@ -42,10 +42,14 @@ Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w);
 // What turning adds to the body acceleration: alpha_body = Jr(r) r'' + beta(r, r'), beta = (d Jr(r)/dt) r'. Quadratic
 // in d. With E = (3 D - K)/y:
 //   beta(r, d) = (K D/4)(r.d) r x d + ((C E - K D)/16)(r.d) r x (r x d) + ((K^2 - C D)/4) d x (r x d).
-Vector3 turning_acceleration(const Vector3& r, const Vector3& d);
+struct TurningFactors {
+  double along_once, along_twice, sideways;  // K D/4, (C E - K D)/16, (K^2 - C D)/4
+};
+TurningFactors turning_factors(const Vector3& r);
+Vector3 turning_acceleration(const TurningFactors& factors, const Vector3& r, const Vector3& d);
 
 // The matrix of d beta / d d at (r, d).
-Matrix3 turning_jacobian(const Vector3& r, const Vector3& d);
+Matrix3 turning_jacobian(const TurningFactors& factors, const Vector3& r, const Vector3& d);
 
 // Jr(r) and its inverse as matrices.
 Matrix3 right_jacobian_matrix(const Vector3& r);

@@ -139,12 +139,15 @@ TEST_CASE("the turning acceleration is the change of the right Jacobian along th
       const Vector3 expected =
           (8.0 * (jacobian(kStep) - jacobian(-kStep)) - (jacobian(2 * kStep) - jacobian(-2 * kStep))) / (12.0 * kStep);
       CAPTURE(angle);
-      CHECK((qtraj::turning_acceleration(r, d) - expected).norm() <= 1e-11);
+      CHECK((qtraj::turning_acceleration(qtraj::turning_factors(r), r, d) - expected).norm() <= 1e-11);
 
       // quadratic in d: its derivative is the exact difference over any step
       const Vector3 step = 0.25 * direction(random);
-      const Vector3 difference = qtraj::turning_acceleration(r, d + step) - qtraj::turning_acceleration(r, d - step);
-      CHECK((2.0 * qtraj::product(qtraj::turning_jacobian(r, d), step) - difference).norm() <= 1e-14);
+      const Vector3 difference = qtraj::turning_acceleration(qtraj::turning_factors(r), r, d + step) -
+                                 qtraj::turning_acceleration(qtraj::turning_factors(r), r, d - step);
+      CHECK(
+          (2.0 * qtraj::product(qtraj::turning_jacobian(qtraj::turning_factors(r), r, d), step) - difference).norm() <=
+          1e-14);
     }
   }
 }
