@@ -72,8 +72,8 @@ void try_other_starts(const WeightedOrientations& samples, const Spectrum& spect
     }
 }
 
-Status find_minimum(const WeightedOrientations& samples, const KarcherSettings& settings, Descent& best) {
-  const Spectrum spectrum = scatter_of(samples).spectrum();
+Status find_minimum(const WeightedOrientations& samples, const Spectrum& spectrum, const KarcherSettings& settings,
+                    Descent& best) {
   const auto is_proven = [&] { return is_global_minimum(samples, spectrum, best.mean, best.at_mean); };
   best = descend(samples, unit(spectrum.vectors[0]), settings);
   if (!best.converged) return Status::no_convergence;
@@ -89,10 +89,11 @@ bool KarcherSettings::is_valid() const { return is_finite(tolerance) && toleranc
 
 KarcherMean mean_karcher(WeightedOrientations samples, const KarcherSettings& settings) {
   KarcherMean mean;
-  mean.outcome = samples.check();
+  OrientationScatter scatter;
+  mean.outcome = scatter_of(samples, scatter);
   if (mean.outcome.status != Status::ok) return mean;
   Descent best;
-  mean.outcome.status = find_minimum(samples, settings, best);
+  mean.outcome.status = find_minimum(samples, scatter.spectrum(), settings, best);
   mean.q = samples.with_sign_of_first(best.mean);
   mean.iterations = best.iterations;
   mean.residual = best.residual;

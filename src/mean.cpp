@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "kernel/kernel.hpp"
+
 namespace qtraj {
 namespace {
 
@@ -56,20 +58,27 @@ double Spectrum::eigengap() const {
   return std::min((values[0] - std::max(values[1], 0.0)) / sum_of_weights, 1.0);
 }
 
-void OrientationScatter::add(const Quaternion& unit, double weight) {
-  BlockSum<10>::Terms products;
-  int at = 0;
-  for (int row = 0; row < 4; ++row)
-    for (int column = row; column < 4; ++column) products[at++] = weight * unit[row] * unit[column];
-  sum_.add(products);
+void OrientationScatter::close_block() {
+  kernel().rows.add_scatter(block_.padded(), 0, sum_);
+  block_.clear();
 }
 
-Spectrum OrientationScatter::spectrum() const {
-  const BlockSum<10>::Terms sum = sum_.value();
+void OrientationScatter::add(const Quaternion& q, double weight) {
+  block_.add(q, weight);
+  if (block_.is_full()) close_block();
+}
+
+bool OrientationScatter::add(const WeightedOrientations& samples) {
+  return samples.sum(
+      [this](const SampleArrays& arrays, size_t first) { return kernel().rows.add_scatter(arrays, first, sum_); });
+}
+
+Spectrum OrientationScatter::spectrum() {
+  close_block();
   Eigen::Matrix4d scatter;
-  int at = 0;
+  size_t at = 0;
   for (int row = 0; row < 4; ++row)
-    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = sum[at++];
+    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = sum_.value(at++);
   const Eigensystem system = eigensystem(scatter);
 
   int order[] = {0, 1, 2, 3};
@@ -86,26 +95,23 @@ Spectrum OrientationScatter::spectrum() const {
   return spectrum;
 }
 
-Status OrientationScatter::top_eigenvector(double epsilon, Quaternion& mean) const {
+Status OrientationScatter::top_eigenvector(double epsilon, Quaternion& mean) {
   const Spectrum found = spectrum();
   mean = found.vectors[0];
   return found.ties(epsilon) ? Status::ambiguous : Status::ok;
 }
 
-OrientationScatter scatter_of(const WeightedOrientations& samples) {
-  OrientationScatter scatter;
-  for (size_t sample = 0; sample < samples.count; ++sample) {
-    const double weight = samples.weight(sample);
-    if (weight > 0) scatter.add(samples.unit(sample), weight);
-  }
-  return scatter;
+Outcome scatter_of(WeightedOrientations& samples, OrientationScatter& scatter) {
+  // which of several faults comes first is asked only where there is one
+  return samples.scale_weights() && scatter.add(samples) ? Outcome() : samples.first_fault();
 }
 
 EigenMean mean_eigen(WeightedOrientations samples) {
   EigenMean mean;
-  mean.outcome = samples.check();
+  OrientationScatter scatter;
+  mean.outcome = scatter_of(samples, scatter);
   if (mean.outcome.status != Status::ok) return mean;
-  const Spectrum spectrum = scatter_of(samples).spectrum();
+  const Spectrum spectrum = scatter.spectrum();
   mean.q = samples.with_sign_of_first(unit(spectrum.vectors[0]));
   mean.eigengap = spectrum.eigengap();
   if (spectrum.ties(samples.epsilon())) mean.outcome.status = Status::ambiguous;

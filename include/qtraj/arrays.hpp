@@ -1,6 +1,8 @@
 // Callers' arrays as functions over rows take them. Kernels include this header: it names no type of Eigen.
 #pragma once
 
+#include <cstddef>
+
 #include "qtraj/settings.hpp"
 
 namespace qtraj {
@@ -28,6 +30,14 @@ struct KeyArrays {
   const void* q;  // [4]
   void* q_out;    // [4], may be q
   bool single;
+};
+struct SampleArrays {
+  const void* q;        // [4]
+  const void* weights;  // [1]; null: all 1
+  size_t count;
+  bool single;
+  double weight_scale;  // a power of two
+  bool is_padded;       // weights of 0 are those of rows that fill up the last lanes
 };
 
 }  // namespace qtraj

@@ -1,44 +1,32 @@
-// Long sums of vectors to a few eps, whatever their length.
+// Long sums of vectors to a few eps, whatever their length. Kernels include this header: it names no type of Eigen.
 #pragma once
 
+#include <cstddef>
+
 #include "qtraj/error_free.hpp"
-#include "qtraj/quaternion.hpp"
 
 namespace qtraj {
 
-// Plain sums over blocks of 16 terms, compensated across the blocks (A. Neumaier, ZAMM 54 (1974), 39). Error below
-// 8 eps of the sum of the terms' absolute values for fewer than 2^50 terms; of a million random terms below 0.6 eps.
-template <int Size>
-class BlockSum {
- public:
-  using Terms = Eigen::Matrix<double, Size, 1>;
+// Rows that are summed: row i goes to lane i % kSumLanes, in blocks of kBlockRows rows. In this order whatever vectors
+// they are done in, so that sums are the same bits everywhere.
+constexpr size_t kSumLanes = 8, kBlockRows = 128;
 
-  void add(const Terms& terms) {
-    block_ += terms;
-    if (++terms_in_block_ == kBlock) close_block();
-  }
+// Plain sums over the 16 terms of a lane in a block, compensated across the blocks and lanes (A. Neumaier, ZAMM 54
+// (1974), 39). Error below 8 eps of the sum of the terms' absolute values for fewer than 2^50 terms; of a million
+// random terms below 0.6 eps. kernel/block_rows.hpp adds to it.
+template <size_t Size>
+struct BlockSum {
+  double totals[Size][kSumLanes] = {}, errors[Size][kSumLanes] = {};
 
-  Terms value() const {
-    BlockSum closed = *this;
-    closed.close_block();
-    return closed.total_ + closed.error_;
-  }
-
- private:
-  static constexpr int kBlock = 16;
-
-  void close_block() {
-    for (int k = 0; k < Size; ++k) {
-      const Exact sum = two_sum(total_[k], block_[k]);
-      total_[k] = sum.value;
-      error_[k] += sum.error;
+  double value(size_t term) const {
+    double total = totals[term][0], error = errors[term][0];
+    for (size_t lane = 1; lane < kSumLanes; ++lane) {
+      const Exact sum = two_sum(total, totals[term][lane]);
+      total = sum.value;
+      error += sum.error + errors[term][lane];
     }
-    block_ = Terms::Zero();
-    terms_in_block_ = 0;
+    return total + error;
   }
-
-  Terms block_ = Terms::Zero(), total_ = Terms::Zero(), error_ = Terms::Zero();
-  int terms_in_block_ = 0;
 };
 
 }  // namespace qtraj

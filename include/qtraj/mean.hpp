@@ -22,24 +22,31 @@ struct Spectrum {
   bool ties(double epsilon) const { return eigengap() <= 64.0 * epsilon; }
 };
 
-// Sum of w q q^T over samples.
+// Sum of w q q^T over samples, their quaternions made unit.
 class OrientationScatter {
  public:
-  void add(const Quaternion& unit, double weight);
+  // Finite q != 0 of any norm; weight above 0.
+  void add(const Quaternion& q, double weight);
 
-  Spectrum spectrum() const;
+  // All samples of weight above 0; false where one is at fault.
+  bool add(const WeightedOrientations& samples);
+
+  Spectrum spectrum();
 
   // Its top eigenvector: the mean that minimises the weighted sum of squared chordal distances (F. L. Markley et al.,
   // "Averaging quaternions", J. Guidance 30 (2007), eq. 12). Sign as found. ambiguous where the two largest eigenvalues
   // tie to 64 epsilon of the sum of weights.
-  Status top_eigenvector(double epsilon, Quaternion& mean) const;
+  Status top_eigenvector(double epsilon, Quaternion& mean);
 
  private:
-  BlockSum<10> sum_;  // upper triangle, row by row
+  void close_block();
+
+  BlockSum<10> sum_;   // upper triangle, row by row
+  SampleBlock block_;  // not yet in the sum
 };
 
-// The pass over the samples; those of weight 0 are left out.
-OrientationScatter scatter_of(const WeightedOrientations& samples);
+// The first pass over samples: scales their weights and finds the first at fault. Those of weight 0 are left out.
+Outcome scatter_of(WeightedOrientations& samples, OrientationScatter& scatter);
 
 struct EigenMean {
   Outcome outcome;

@@ -1,12 +1,31 @@
 // What a mean is taken of: a caller's orientations and weights, checked once, then read in place by every pass.
 #pragma once
 
+#include "qtraj/block_sum.hpp"
 #include "qtraj/rows.hpp"
 
 namespace qtraj {
 
 // q / |q| for finite q != 0 of any magnitude, each component within 2 eps of its size.
 Quaternion unit(const Quaternion& q);
+
+// A block of samples one by one, for sums over what vectors cannot take from the caller's arrays.
+class SampleBlock {
+ public:
+  bool is_full() const { return count_ == kBlockRows; }
+
+  // Finite q != 0 of any magnitude; weight above 0.
+  void add(const Quaternion& q, double weight);
+
+  // As arrays whose rows fill the lanes of a sum; the rows that are added for that have weight 0.
+  SampleArrays padded();
+
+  void clear() { count_ = 0; }
+
+ private:
+  double q_[kBlockRows][4], weights_[kBlockRows];  // only rows below count_ are ever read
+  size_t count_ = 0;
+};
 
 struct WeightedOrientations {
   Rows<4> q;
@@ -16,12 +35,15 @@ struct WeightedOrientations {
   // not overflow, and weights below 1e-308 of the largest become 0.
   double weight_scale = 1;
 
+  // To be called first. False where weights are at fault or all 0.
+  bool scale_weights();
+
   // Rounding of the caller's type: what ties to within it is a tie.
   double epsilon() const;
 
-  // To be called first: sets weight_scale and finds the first sample at fault. One of weight 0 can be at fault too.
-  // Weights that are all 0 are zero_norm, without an index.
-  Outcome check();
+  // The first sample at fault. One of weight 0 can be at fault too. Weights that are all 0 are zero_norm, without an
+  // index.
+  Outcome first_fault() const;
 
   double weight(size_t sample) const { return weights.data ? weight_scale * weights[sample][0] : 1.0; }
   Quaternion unit(size_t sample) const { return qtraj::unit(q[sample]); }
@@ -29,6 +51,27 @@ struct WeightedOrientations {
   // +-mean, the sign such that its dot product with the first sample of weight above 0 is >= 0; where it is 0, with the
   // next.
   Quaternion with_sign_of_first(const Quaternion& mean) const;
+
+  // A sum over all samples of weight above 0, in their order; false where a sample is at fault. `add(arrays, first)` is
+  // one of the sums of RowKernels; samples that it does not take from the caller's arrays come in blocks of our own.
+  // The k-th sample of weight above 0 goes to the same lane and block in both ways: sums are the same bits.
+  template <class Add>
+  bool sum(const Add& add) const {
+    const SampleArrays arrays = {q.data, weights.data, count, q.single, weight_scale, false};
+    size_t sample = 0;
+    for (;;) {
+      sample += add(arrays, sample);
+      if (sample == count) return true;
+      SampleBlock block;
+      while (sample < count && !block.is_full())
+        if (!take(sample++, block)) return false;
+      add(block.padded(), size_t{0});
+    }
+  }
+
+ private:
+  // Adds a sample, if it counts, to a block; false where it is at fault.
+  bool take(size_t sample, SampleBlock& block) const;
 };
 
 }  // namespace qtraj

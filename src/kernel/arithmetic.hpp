@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "coefficients.hpp"
 #include "qtraj/floating.hpp"
@@ -80,13 +81,18 @@ QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
 }
 
 // c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last and rounds once.
+template <class Arithmetic, class Polynomial, class Number, size_t... Rest>
+QTRAJ_INLINE Number evaluate(Number x, std::index_sequence<Rest...>) {
+  constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
+  // not a loop: one of more than 16 terms would stay one, and its vectors go through memory
+  const Number rest[] = {Number(kCoefficients[1 + Rest])...};
+  return Arithmetic::multiply_add(estrin<Arithmetic>(rest, x), x, Number(kCoefficients[0]));
+}
 template <class Arithmetic, class Polynomial, class Number>
 QTRAJ_INLINE Number evaluate(Number x) {
   constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
   constexpr size_t kTerms = sizeof kCoefficients / sizeof kCoefficients[0];
-  Number rest[kTerms - 1];
-  for (size_t k = 1; k < kTerms; ++k) rest[k - 1] = Number(kCoefficients[k]);
-  return Arithmetic::multiply_add(estrin<Arithmetic>(rest, x), x, Number(kCoefficients[0]));
+  return evaluate<Arithmetic, Polynomial>(x, std::make_index_sequence<kTerms - 1>());
 }
 
 // Dot product in the one order that all kernels use.

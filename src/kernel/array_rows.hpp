@@ -18,10 +18,25 @@ constexpr size_t kLanesOf = 1;
 QTRAJ_INLINE unsigned lane_bits(bool condition) { return condition ? 1 : 0; }
 QTRAJ_INLINE bool lanes_of(unsigned bits, double) { return bits != 0; }
 
+// As many numbers from an array as there are lanes.
+QTRAJ_INLINE double load_lanes(const double* from, double) { return *from; }
+QTRAJ_INLINE void store_lanes(double a, double* to) { *to = a; }
+
+// The largest lane.
+template <class Number>
+QTRAJ_INLINE double largest_lane(Number a) {
+  double lanes[kLanesOf<Number>];
+  store_lanes(a, lanes);
+  double largest = lanes[0];
+  for (const double lane : lanes) largest = largest < lane ? lane : largest;
+  return largest;
+}
+
 // Ordinary rows have a largest component of 2^-120 to 2^120: nothing made of it overflows, also in float, or loses
 // digits. Told by the bits, as a comparison with NaN would raise FE_INVALID.
 constexpr uint64_t kLeastOrdinary = uint64_t{1023 - 120} << 52, kPastOrdinary = uint64_t{1023 + 120} << 52;
-constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52;
+constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52,
+                   kInfinityBits = uint64_t{2047} << 52;
 
 inline uint64_t bits_of(double value) {
   uint64_t bits;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "qtraj/arrays.hpp"
+#include "qtraj/block_sum.hpp"
 #include "qtraj/trajectory.hpp"
 
 #if !defined(QTRAJ_NO_SIMD) && defined(__x86_64__)
@@ -27,6 +28,14 @@ struct SampleOutputs {
   Frame frame;
 };
 
+// Sums over samples of weight w above 0. Scatter: the upper triangle of sum w q q^T, q made unit, row by row.
+using ScatterSums = BlockSum<10>;
+// In the notation of qtraj/log_moments.hpp: W, f, sum w d, sum w r, the upper triangle of the Hessian; largest d.
+struct LogSums {
+  BlockSum<12> sums;
+  double farthest = 0;
+};
+
 // Functions over rows. Each does rows from `first` on and returns how many: up to `count`, or to one that is not
 // ordinary (array_rows.hpp), which the core then does by itself, with the same result where both could.
 struct RowKernels {
@@ -36,6 +45,13 @@ struct RowKernels {
   size_t (*normalize)(const KeyArrays& arrays, size_t first, size_t count);
   // Signs continued from the row before `first`, which is done; `flips` counts the rows that are changed.
   size_t (*make_continuous)(const KeyArrays& arrays, size_t first, size_t count, size_t& flips);
+
+  // Weights from the first one on, up to one that is not finite or negative; `largest` is raised to them.
+  size_t (*raise_to_weights)(const SampleArrays& samples, double& largest);
+  // Samples from `first` on in whole blocks (qtraj/block_sum.hpp), up to one with a sample that is not ordinary or has
+  // weight 0, or whose rows do not fill the lanes. Weights are finite and not negative.
+  size_t (*add_scatter)(const SampleArrays& samples, size_t first, ScatterSums& sums);
+  size_t (*add_logs)(const SampleArrays& samples, size_t first, const double (&base)[4], LogSums& sums);
 };
 
 struct Kernel {

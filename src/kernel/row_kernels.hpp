@@ -2,6 +2,7 @@
 #pragma once
 
 #include "continuous_rows.hpp"
+#include "mean_rows.hpp"
 #include "pair_rows.hpp"
 #include "unit_rows.hpp"
 
@@ -10,8 +11,13 @@ namespace {
 
 template <class Arithmetic, class Vector>
 constexpr RowKernels kRowKernels = {interpolate<SlerpRow, Arithmetic, Vector>,
-                                    interpolate<NlerpRow, Arithmetic, Vector>, rotate<Vector>, normalize<Vector>,
-                                    make_continuous<Vector>};
+                                    interpolate<NlerpRow, Arithmetic, Vector>,
+                                    rotate<Vector>,
+                                    normalize<Vector>,
+                                    make_continuous<Vector>,
+                                    raise_to_weights<Vector>,
+                                    add_scatter<Vector>,
+                                    add_logs<Vector>};
 
 }  // namespace
 }  // namespace qtraj

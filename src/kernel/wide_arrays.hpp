@@ -21,6 +21,9 @@ QTRAJ_INLINE WideMask<double> lanes_of(unsigned bits, Wide<double>) {
   return {hn::LoadMaskBits(Wide<double>::Tag(), bytes)};
 }
 
+QTRAJ_INLINE Wide<double> load_lanes(const double* from, Wide<double>) { return Wide<double>::load(from); }
+QTRAJ_INLINE void store_lanes(Wide<double> a, double* to) { a.store(to); }
+
 // As many floats as a vector has doubles.
 using FloatTag = hn::Rebind<float, Wide<double>::Tag>;
 
@@ -102,6 +105,13 @@ QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
     largest = hn::Max(largest, hn::BitCast(halves, magnitude));
   }
   return is_in_order(kLeastOrdinary >> 32, hn::ShiftRight<32>(hn::BitCast(tag, largest)), kPastOrdinary >> 32);
+}
+
+// Hides that of single numbers.
+using qtraj::is_finite;
+QTRAJ_INLINE WideMask<double> is_finite(Wide<double> a) {
+  const BitsTag tag;
+  return is_in_order(0, hn::And(hn::BitCast(tag, a.lanes), hn::Set(tag, kMagnitudeBits)), kInfinityBits);
 }
 
 QTRAJ_INLINE WideMask<double> is_inside(Wide<double> fraction) {

@@ -1,0 +1,195 @@
+// Means in the vectors of every kernel: the same bits whatever the vectors' width, whether samples are summed in the
+// caller's arrays or one by one, and nothing but the caller's arrays is read.
+#include <qtraj.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "support/capi_means.hpp"
+#include "support/guarded.hpp"
+#include "support/kernel_curves.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using capi::Samples;
+using test::Guarded;
+using test::Random;
+
+constexpr size_t kMost = 300;  // samples: more than two blocks
+
+// A cloud of samples of any norm and sign, of which one in `rare` is of a size or weight that vectors do not do; with
+// `faults` some of these are at fault.
+template <class Real>
+Samples<Real> samples(Random& random, size_t count, bool weighted, int rare, bool faults) {
+  constexpr double kTiny = sizeof(Real) == 4 ? 1e-37 : 1e-300, kHuge = 1 / kTiny;
+  const double factors[] = {1, kTiny, -kHuge, 1, HUGE_VAL, 0}, weights[] = {0, 1, 1e-30, -0.0, std::nan(""), -1};
+  Samples<Real> all = capi::cloud<Real>(random, count, 0.3);
+  for (size_t i = 0; i < count; ++i) {
+    double factor = random.uniform(-2, 2), weight = random.uniform(0.1, 3);
+    if (random.uniform(0, rare) < 1) {
+      const auto kind = static_cast<size_t>(random.uniform(0, faults ? 6 : 4));
+      factor *= factors[kind], weight *= weights[(kind + 2 * i) % (faults ? 6 : 4)];
+    }
+    for (size_t k = 4 * i; k < 4 * i + 4; ++k)
+      if (all.q[k] != 0) all.q[k] = static_cast<Real>(factor * static_cast<double>(all.q[k]));
+    if (weighted) all.weights.push_back(static_cast<Real>(weight));
+  }
+  return all;
+}
+
+// Status and index of the first sample at fault; OK and SIZE_MAX without.
+std::pair<qtraj_status, size_t> first_fault(const Samples<double>& all) {
+  bool has_weight = false;
+  for (size_t i = 0; i < all.count(); ++i) {
+    const double* q = &all.q[4 * i];
+    const double weight = all.weight(i);
+    if (!std::all_of(q, q + 4, [](double x) { return std::isfinite(x); }) || !std::isfinite(weight))
+      return {QTRAJ_E_NOT_FINITE, i};
+    if (std::all_of(q, q + 4, [](double x) { return x == 0; })) return {QTRAJ_E_ZERO_NORM, i};
+    if (weight < 0) return {QTRAJ_E_NEGATIVE_WEIGHT, i};
+    has_weight = has_weight || weight > 0;
+  }
+  return {has_weight ? QTRAJ_OK : QTRAJ_E_ZERO_NORM, SIZE_MAX};
+}
+
+// All that both means return, as bits.
+using Bits = std::vector<uint64_t>;
+void add_bits(Bits& bits, double value) {
+  uint64_t of_value;
+  std::memcpy(&of_value, &value, sizeof value);
+  bits.push_back(of_value);
+}
+template <class Real>
+Bits bits_of_means(const Real* q, const Real* weights, size_t count) {
+  Bits bits;
+  for (const bool is_karcher : {false, true}) {
+    std::array<Real, 4> mean{};
+    double scalar = 0;
+    int32_t iterations = 0;
+    size_t bad_index = 0;
+    bits.push_back(static_cast<uint64_t>(
+        is_karcher ? capi::mean_karcher(q, weights, count, 0, 100, mean.data(), &iterations, &scalar, &bad_index)
+                   : capi::mean_eigen(q, weights, count, mean.data(), &scalar, &bad_index)));
+    for (const Real component : mean) add_bits(bits, static_cast<double>(component));
+    add_bits(bits, scalar);
+    bits.push_back(static_cast<uint64_t>(iterations));
+    bits.push_back(bad_index);
+  }
+  return bits;
+}
+template <class Real>
+Bits bits_of_means(const Samples<Real>& of) {
+  return bits_of_means(of.q.data(), of.weights_or_null(), of.count());
+}
+
+std::vector<size_t> counts() {
+  std::vector<size_t> all;
+  for (size_t count = 0; count <= 72; ++count) all.push_back(count);
+  for (const size_t count : {120, 127, 128, 129, 130, 135, 136, 137, 200, 255, 256, 257, 264, 299, 300})
+    all.push_back(count);
+  return all;
+}
+
+// Every set of samples there is, and what the scalar kernel makes of it.
+template <class Real>
+struct Case {
+  Samples<Real> samples;
+  Bits expected;
+};
+template <class Real>
+std::vector<Case<Real>> cases() {
+  const test::ForcedKernel scalar("scalar plain");
+  std::vector<Case<Real>> all;
+  Random random(51);
+  for (const size_t count : counts())
+    for (const bool weighted : {true, false})
+      for (const int rare : {1, 4, 40, 1000000})
+        for (const bool faults : {false, true}) {
+          const Samples<Real> set = samples<Real>(random, count, weighted, rare, faults);
+          all.push_back({set, bits_of_means(set)});
+        }
+  return all;
+}
+
+template <class Real>
+void check_in_every_kernel() {
+  const std::vector<Case<Real>> all = cases<Real>();
+  Guarded<Real> q(4 * kMost), weights(kMost);
+  test::for_every_kernel([&](const char*) {
+    size_t wrong = 0;
+    for (const Case<Real>& c : all)
+      for (const bool at_end : {true, false}) {
+        const size_t count = c.samples.count();
+        Real *placed = q.array(4 * count, at_end), *placed_weights = weights.array(count, at_end);
+        // as bytes: a float that is a NaN keeps its bits
+        if (count > 0) std::memcpy(placed, c.samples.q.data(), 4 * count * sizeof(Real));
+        const bool weighted = !c.samples.weights.empty();
+        if (weighted) std::memcpy(placed_weights, c.samples.weights.data(), count * sizeof(Real));
+        wrong += bits_of_means(placed, weighted ? placed_weights : nullptr, count) != c.expected;
+      }
+    CHECK(wrong == 0);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("means are the same bits in every kernel, and only the samples are read", "[mean_kernels]") {
+  check_in_every_kernel<double>();
+  check_in_every_kernel<float>();
+}
+
+TEST_CASE("means name the first sample at fault, in whichever block it is", "[mean_kernels]") {
+  test::for_every_kernel([](const char*) {
+    Random random(54);
+    size_t at_fault = 0, wrong = 0;
+    for (int set = 0; set < 1000; ++set) {
+      const auto count = static_cast<size_t>(random.uniform(1, kMost));
+      const Samples<double> all = samples<double>(random, count, set % 2 == 0, set % 200 + 2, true);
+      const auto [status, index] = first_fault(all);
+      at_fault += status != QTRAJ_OK;
+      for (const capi::Mean<double>& mean : capi::both_means(all)) {
+        wrong += mean.bad_index != index;
+        wrong += (status != QTRAJ_OK || mean.status != QTRAJ_E_AMBIGUOUS) && mean.status != status;
+      }
+    }
+    CHECK(wrong == 0);
+    CHECK(at_fault > 400);
+  });
+}
+
+TEST_CASE("samples of any magnitude have the mean of those a power of two smaller, bit by bit", "[mean_kernels]") {
+  test::for_every_kernel([](const char*) {
+    Random random(52);
+    for (const size_t count : counts()) {
+      const Samples<float> one = samples<float>(random, count, true, 1000000, false);
+      Samples<float> all = one, some = one;
+      for (size_t k = 0; k < all.q.size(); ++k) {
+        all.q[k] *= 0x1p122f;
+        if (k / 4 % 100 == 50) some.q[k] *= 0x1p122f;
+      }
+      CAPTURE(count);
+      CHECK(bits_of_means(all) == bits_of_means(one));
+      CHECK(bits_of_means(some) == bits_of_means(one));
+    }
+  });
+}
+
+TEST_CASE("samples without weight leave no bit of a mean changed, wherever they stand", "[mean_kernels]") {
+  test::for_every_kernel([](const char*) {
+    Random random(53);
+    for (const size_t count : counts()) {
+      if (count == 0) continue;
+      const Samples<double> one = samples<double>(random, count, true, 1000000, false);
+      Samples<double> with_others;
+      for (size_t i = 0; i < count; ++i) {
+        while (random.uniform(0, 60) < 1) with_others.add(random.orientation(), random.uniform(-1, 1) < 0 ? -0.0 : 0.0);
+        with_others.add({one.q[4 * i], one.q[4 * i + 1], one.q[4 * i + 2], one.q[4 * i + 3]}, one.weights[i]);
+      }
+      CAPTURE(count, with_others.count());
+      CHECK(bits_of_means(with_others) == bits_of_means(one));
+    }
+  });
+}
