@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/support/apt_packages.sh
 
 need_packages cmake g++ make ninja-build libeigen3-dev libhwy-dev catch2 pkg-config python3 python3-scipy \
-  binutils clang clang-format-14
+  binutils clang clang-format-14 libbenchmark-dev libglm-dev libboost-dev
 
 for preset in dev asan-ubsan; do
   cmake --preset "$preset"
