@@ -1,7 +1,7 @@
 #include "qtraj/precise.hpp"
 
 #include "kernel/elementary.hpp"
-#include "kernel/unit_rows.hpp"
+#include "kernel/unit_quaternion.hpp"
 
 namespace qtraj {
 

@@ -2,16 +2,18 @@
 
 #include <cfloat>
 
-#include "kernel/unit_rows.hpp"
+#include "kernel/motion.hpp"
+#include "kernel/unit_quaternion.hpp"
 #include "qtraj/floating.hpp"
 
 namespace qtraj {
 
 Vector3 rotate(const Quaternion& q, const Vector3& v) {
-  // v + 2 w (u x v) + 2 u x (u x v), u the vector part
-  const Vector3 u = vector_part(q);
-  const Vector3 twice = 2.0 * cross(u, v);
-  return v + (q[0] * twice + cross(u, twice));
+  double unit[4], turned[3];
+  store(q, unit);
+  store(v, turned);
+  rotate_to_world<Plain>(unit, turned);
+  return load(turned);
 }
 
 double scale_for(double largest) {

@@ -86,7 +86,7 @@ Outcome nlerp(const PairRows& pairs, size_t count, const OutputRows<4>& out);
 // Slerp of one pair whose ends have times, at other times, before and after them too: the fraction is
 // (time - time_a) / (time_b - time_a), beyond +-2^1022 counted as that. Statuses of the two times are those of knots:
 // time_order where time_b does not come after time_a or so shortly that 1/h^2 overflows, time_range where their
-// distance does. Error below 6e-16 + 1e-15 |theta|, theta as for slerp.
+// distance does. Error below 6e-16 + 1e-15 |theta|, theta as for slerp. All arrays of double.
 struct TimedPair {
   Rows<4> a, b;
   double time_a, time_b;

@@ -83,7 +83,8 @@ struct Normalized {
   double norm_error;  // what its rounding left
 };
 
-// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double.
+// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double, to
+// 1e-200.
 Normalized normalize(const Quaternion& q);
 
 inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {

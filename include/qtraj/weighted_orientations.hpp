@@ -23,7 +23,7 @@ class SampleBlock {
   void clear() { count_ = 0; }
 
  private:
-  double q_[kBlockRows][4], weights_[kBlockRows];  // only rows below count_ are ever read
+  double q_[kBlockRows][4], weights_[kBlockRows];  // only rows that were written are read
   size_t count_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// Kernels sample trajectories: the same code, compiled for each instruction set and arithmetic; one runs here.
+// Kernels sample trajectories and do functions over rows and sums over samples: the same code, compiled for each
+// instruction set and arithmetic; one runs here.
 #pragma once
 
 #include "qtraj/arrays.hpp"
@@ -37,7 +38,7 @@ struct LogSums {
 };
 
 // Functions over rows. Each does rows from `first` on and returns how many: up to `count`, or to one that is not
-// ordinary (array_rows.hpp), which the core then does by itself, with the same result where both could.
+// ordinary (array_rows.hpp), which the core then does by itself. The row alone tells whether it is.
 struct RowKernels {
   size_t (*slerp)(const PairArrays& arrays, size_t first, size_t count);
   size_t (*nlerp)(const PairArrays& arrays, size_t first, size_t count);

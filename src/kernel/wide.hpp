@@ -114,7 +114,8 @@ QTRAJ_INLINE Wide<Real> absolute(Wide<Real> a) {
   return Wide<Real>::of(hn::Abs(a.lanes));
 }
 
-// One instruction more than the product where there is a fused one; the same error, which is exact.
+// One instruction more than the product where there is a fused one; the same error, which is exact (in the range that
+// error_free.hpp gives).
 #if defined(__FMA__) || defined(__aarch64__)
 QTRAJ_INLINE ExactOf<Wide<double>> two_product(Wide<double> a, Wide<double> b) {
   const Wide<double> product = a * b;

@@ -67,11 +67,22 @@ TEST_CASE("C API: slerp_between is slerp at the fraction of the time", "[capi][s
   Random random(22);
   const Quaternion a = random.orientation(), b = random.orientation();
   for (const int32_t path : pairs::kPaths) {
-    // eighths: exact in both
-    std::vector<double> times, fractions, q(4 * 33);
-    for (int i = -8; i <= 24; ++i) times.push_back(3.0 + 0.25 * i), fractions.push_back(0.125 * i);
-    REQUIRE(qtraj_slerp(a.data(), b.data(), fractions.data(), 33, path, q.data(), nullptr) == QTRAJ_OK);
+    // 128ths: exact in both
+    constexpr size_t kCount = 257;
+    std::vector<double> times, fractions, q(4 * kCount);
+    for (int i = -64; i <= 192; ++i) times.push_back(3.0 + i / 64.0), fractions.push_back(i / 128.0);
+    REQUIRE(qtraj_slerp(a.data(), b.data(), fractions.data(), kCount, path, q.data(), nullptr) == QTRAJ_OK);
     CHECK(slerp_between(a, 3.0, b, 5.0, times, path).q == q);
+
+    // a time at fault spoils its own row only
+    for (const size_t row : {66u, 127u, 128u, 129u, 160u}) {
+      std::vector<double> with_fault = times;
+      with_fault[row] = kNaN;
+      const Called called = slerp_between(a, 3.0, b, 5.0, with_fault, path);
+      CHECK((called.status == QTRAJ_E_NOT_FINITE && called.bad_index == row && called.row_is_nan(row)));
+      CHECK(std::equal(q.begin(), q.begin() + 4 * row, called.q.begin()));
+      CHECK(std::equal(q.begin() + 4 * row + 4, q.end(), called.q.begin() + 4 * row + 4));
+    }
   }
 }
 

@@ -77,7 +77,7 @@ qtraj_status make_continuous(const float* q, size_t series, size_t length, float
 template <class Real>
 std::vector<Real> rows(Random& random, size_t width, int rare) {
   constexpr double kTiny = sizeof(Real) == 4 ? 1e-30 : 1e-300, kHuge = 1 / kTiny;
-  const double odd[] = {0, kTiny, -kHuge, HUGE_VAL, std::nan(""), DBL_EPSILON};
+  const double odd[] = {0, kTiny, -kHuge, HUGE_VAL, std::nan(""), DBL_EPSILON, 1e-308, 5e-324};
   std::vector<Real> all;
   test::Quaternion q = random.orientation();
   for (size_t row = 0; row < kMost; ++row) {
@@ -86,7 +86,7 @@ std::vector<Real> rows(Random& random, size_t width, int rare) {
     const auto at = static_cast<size_t>(random.uniform(0, static_cast<double>(width) * rare));
     for (size_t k = 0; k < width; ++k) {
       double value = width == 1 ? random.uniform(0, 1) : q[k];
-      if (k == at) value = width == 1 ? odd[row % 6] + 1 : value * odd[row % 6];
+      if (k == at) value = width == 1 ? odd[row % 8] + 1 : value * odd[row % 8];
       all.push_back(static_cast<Real>(value));
     }
   }
@@ -144,6 +144,14 @@ void check(const RowKernel<Real>& kernel, int rare) {
           status != (all_ok ? QTRAJ_OK : statuses[first_bad]) || bad_index != (all_ok ? SIZE_MAX : first_bad);
       wrong += !same_bits(out, expected.data(), kernel.output * count);
       wrote_outside += !to.holds_around(out, kernel.output * count, 0x5a);
+      for (size_t k = 0; k < in.size(); ++k) {  // in place
+        if (kernel.inputs[k] != kernel.output) continue;
+        std::copy_n(in[k].begin(), kernel.output * count, out);
+        std::vector<const Real*> one_of_them = placed;
+        one_of_them[k] = out;
+        kernel.call(one_of_them.data(), count, out, nullptr);
+        wrong += !same_bits(out, expected.data(), kernel.output * count);
+      }
     }
   CHECK(wrong == 0);
   CHECK(wrong_outcome == 0);
@@ -165,25 +173,58 @@ TEST_CASE("functions over rows give each row what it gets alone, in every kernel
   });
 }
 
+qtraj_status slerp(const double* a, const double* b, const double* fraction, size_t count, double* out) {
+  return qtraj_slerp(a, b, fraction, count, QTRAJ_PATH_SHORTEST, out, nullptr);
+}
+qtraj_status slerp(const float* a, const float* b, const float* fraction, size_t count, float* out) {
+  return qtraj_slerp_f32(a, b, fraction, count, QTRAJ_PATH_SHORTEST, out, nullptr);
+}
+qtraj_status slerp_pairs(const double* a, const double* b, const double* fraction, size_t fractions, double* out) {
+  return qtraj_slerp_pairs(a, b, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
+}
+qtraj_status slerp_pairs(const float* a, const float* b, const float* fraction, size_t fractions, float* out) {
+  return qtraj_slerp_pairs_f32(a, b, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
+}
+qtraj_status rotate(const double* q, size_t q_count, const double* v, size_t v_count, double* out) {
+  return qtraj_rotate(q, q_count, v, v_count, kMost, out, nullptr);
+}
+qtraj_status rotate(const float* q, size_t q_count, const float* v, size_t v_count, float* out) {
+  return qtraj_rotate_f32(q, q_count, v, v_count, kMost, out, nullptr);
+}
+
+template <class Real>
+std::vector<Real> copies(const std::vector<Real>& row_first, size_t width) {
+  std::vector<Real> all;
+  for (size_t row = 0; row < kMost; ++row) all.insert(all.end(), row_first.begin(), row_first.begin() + width);
+  return all;
+}
+
+template <class Real>
+void check_repeated() {
+  Random random(5);
+  constexpr int kNever = 1000000;
+  const std::vector<Real> a = rows<Real>(random, 4, kNever), b = rows<Real>(random, 4, kNever),
+                          v = rows<Real>(random, 3, kNever), fraction = rows<Real>(random, 1, kNever);
+  std::vector<Real> one(4 * kMost), many(4 * kMost);
+  const auto agree = [&](size_t width, qtraj_status of_one, qtraj_status of_many) {
+    CHECK(of_one == QTRAJ_OK);
+    CHECK(of_many == QTRAJ_OK);
+    CHECK(same_bits(one.data(), many.data(), width * kMost));
+  };
+  agree(4, slerp(a.data(), b.data(), fraction.data(), kMost, one.data()),
+        slerp_pairs(copies(a, 4).data(), copies(b, 4).data(), fraction.data(), kMost, many.data()));
+  agree(4, slerp_pairs(a.data(), b.data(), fraction.data(), 1, one.data()),
+        slerp_pairs(a.data(), b.data(), copies(fraction, 1).data(), kMost, many.data()));
+  agree(3, rotate(a.data(), 1, v.data(), kMost, one.data()),
+        rotate(copies(a, 4).data(), kMost, v.data(), kMost, many.data()));
+  agree(3, rotate(a.data(), kMost, v.data(), 1, one.data()),
+        rotate(a.data(), kMost, copies(v, 3).data(), kMost, many.data()));
+}
+
 TEST_CASE("one row that serves all gives what its copies give, in every kernel", "[row_kernels]") {
   test::for_every_kernel([](const char*) {
-    Random random(5);
-    const std::vector<double> a = rows<double>(random, 4, 1000000), v = rows<double>(random, 3, 1000000);
-    const double fraction = 0.3;
-    std::vector<double> a_copies, v_copies, fractions(kMost, fraction), one(4 * kMost), many(4 * kMost);
-    for (size_t row = 0; row < kMost; ++row)
-      a_copies.insert(a_copies.end(), a.begin(), a.begin() + 4),
-          v_copies.insert(v_copies.end(), v.begin(), v.begin() + 3);
-    qtraj_slerp_pairs(a_copies.data(), a.data(), fractions.data(), kMost, kMost, QTRAJ_PATH_SHORTEST, many.data(),
-                      nullptr);
-    qtraj_slerp_pairs(a_copies.data(), a.data(), &fraction, 1, kMost, QTRAJ_PATH_SHORTEST, one.data(), nullptr);
-    CHECK(same_bits(one.data(), many.data(), 4 * kMost));
-    qtraj_rotate(a_copies.data(), kMost, v.data(), kMost, kMost, many.data(), nullptr);
-    qtraj_rotate(a.data(), 1, v.data(), kMost, kMost, one.data(), nullptr);
-    CHECK(same_bits(one.data(), many.data(), 3 * kMost));
-    qtraj_rotate(a.data(), kMost, v_copies.data(), kMost, kMost, many.data(), nullptr);
-    qtraj_rotate(a.data(), kMost, v.data(), 1, kMost, one.data(), nullptr);
-    CHECK(same_bits(one.data(), many.data(), 3 * kMost));
+    check_repeated<double>();
+    check_repeated<float>();
   });
 }
 
@@ -228,13 +269,14 @@ void check_continuous(int rare) {
           q.resize(numbers);
           size_t expected_flips, flips = 0;
           const std::vector<Real> expected = continued(q, series, length, expected_flips);
-          to.fill(0x5a);
+          from.fill(0x5a), to.fill(0x5a);
           Real *given = from.array(numbers, at_end), *out = in_place ? given : to.array(numbers, at_end);
           std::copy(q.begin(), q.end(), given);
           make_continuous(given, series, length, out, &flips, nullptr);
           wrong += !same_bits(out, expected.data(), numbers);
           wrong_flips += flips != expected_flips;
-          if (!in_place) wrote_outside += !to.holds_around(out, numbers, 0x5a);
+          wrote_outside += !(in_place ? from : to).holds_around(out, numbers, 0x5a);
+          wrote_outside += !in_place && !same_bits(given, q.data(), numbers);
         }
   CHECK(wrong == 0);
   CHECK(wrong_flips == 0);
