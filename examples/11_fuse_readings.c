@@ -88,5 +88,5 @@ int main(void) {
  *     Karcher mean         0.707 0.000 0.000 0.707  more than one answer is equally right
  *   half a turn apart, weights 2 and 1:
  *     eigen mean           1.000 0.000 0.000 0.000  success
- *     Karcher mean         0.866 0.000 0.000 0.500  more than one answer is equally right
+ *     Karcher mean         0.866 -0.000 -0.000 -0.500  more than one answer is equally right
  */
