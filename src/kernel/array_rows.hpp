@@ -105,14 +105,17 @@ QTRAJ_INLINE bool load_fractions(const ArrayIn& array, size_t row, Number (&to)[
   return load_numbers<Real>(array, row, to) && all(is_inside(to[0]));
 }
 
-// Calls `operation(row, number)`, the number's type telling how many rows at once, until the rows end or it is false:
-// it has then done nothing. How many rows it did.
+// Calls `operation(row, number, real)`, the number's type telling how many rows at once and real's that of the arrays,
+// until the rows end or it is false: it has then done nothing. How many rows it did.
 template <class Vector, class Operation>
-size_t do_rows(size_t first, size_t count, const Operation& operation) {
-  size_t row = first;
-  while (row + kLanesOf<Vector> <= count && operation(row, Vector())) row += kLanesOf<Vector>;
-  while (row < count && operation(row, double())) ++row;
-  return row - first;
+size_t do_rows(bool single, size_t first, size_t count, const Operation& operation) {
+  const auto do_rows_of = [&](auto real) {
+    size_t row = first;
+    while (row + kLanesOf<Vector> <= count && operation(row, Vector(), real)) row += kLanesOf<Vector>;
+    while (row < count && operation(row, double(), real)) ++row;
+    return row - first;
+  };
+  return single ? do_rows_of(float()) : do_rows_of(double());
 }
 
 }  // namespace

@@ -47,10 +47,8 @@ QTRAJ_INLINE bool continue_rows(const KeyArrays& arrays, size_t row, size_t& fli
 
 template <class Vector>
 size_t make_continuous(const KeyArrays& arrays, size_t first, size_t count, size_t& flips) {
-  return do_rows<Vector>(first, count, [&](size_t row, auto number) {
-    using Number = decltype(number);
-    return arrays.single ? continue_rows<float, Number>(arrays, row, flips)
-                         : continue_rows<double, Number>(arrays, row, flips);
+  return do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
+    return continue_rows<decltype(real), decltype(number)>(arrays, row, flips);
   });
 }
 

@@ -25,14 +25,11 @@ template <class Vector>
 size_t raise_to_weights(const SampleArrays& samples, double& largest) {
   Vector largest_of_vectors(largest);
   double largest_of_rows = largest;
-  const size_t rows = do_rows<Vector>(0, samples.count, [&](size_t row, auto number) {
-    const auto raise = [&](auto& to) {
-      return samples.single ? raise_to_rows<float>(samples, row, to) : raise_to_rows<double>(samples, row, to);
-    };
+  const size_t rows = do_rows<Vector>(samples.single, 0, samples.count, [&](size_t row, auto number, auto real) {
     if constexpr (std::is_same_v<decltype(number), Vector>)
-      return raise(largest_of_vectors);
+      return raise_to_rows<decltype(real)>(samples, row, largest_of_vectors);
     else
-      return raise(largest_of_rows);
+      return raise_to_rows<decltype(real)>(samples, row, largest_of_rows);
   });
   const double of_vectors = largest_lane(largest_of_vectors);
   largest = of_vectors < largest_of_rows ? largest_of_rows : of_vectors;

@@ -92,10 +92,8 @@ QTRAJ_INLINE bool interpolate_rows(const PairArrays& arrays, size_t row) {
 
 template <class Curve, class Arithmetic, class Vector>
 size_t interpolate(const PairArrays& arrays, size_t first, size_t count) {
-  return do_rows<Vector>(first, count, [&](size_t row, auto number) {
-    using Number = decltype(number);
-    return arrays.single ? interpolate_rows<Curve, Arithmetic, float, Number>(arrays, row)
-                         : interpolate_rows<Curve, Arithmetic, double, Number>(arrays, row);
+  return do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
+    return interpolate_rows<Curve, Arithmetic, decltype(real), decltype(number)>(arrays, row);
   });
 }
 

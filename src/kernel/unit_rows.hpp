@@ -18,9 +18,8 @@ QTRAJ_INLINE bool normalize_rows(const KeyArrays& arrays, size_t row) {
 }
 template <class Vector>
 size_t normalize(const KeyArrays& arrays, size_t first, size_t count) {
-  return do_rows<Vector>(first, count, [&](size_t row, auto number) {
-    using Number = decltype(number);
-    return arrays.single ? normalize_rows<float, Number>(arrays, row) : normalize_rows<double, Number>(arrays, row);
+  return do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
+    return normalize_rows<decltype(real), decltype(number)>(arrays, row);
   });
 }
 
@@ -34,9 +33,8 @@ QTRAJ_INLINE bool rotate_rows(const RotateArrays& arrays, size_t row) {
 }
 template <class Vector>
 size_t rotate(const RotateArrays& arrays, size_t first, size_t count) {
-  return do_rows<Vector>(first, count, [&](size_t row, auto number) {
-    using Number = decltype(number);
-    return arrays.single ? rotate_rows<float, Number>(arrays, row) : rotate_rows<double, Number>(arrays, row);
+  return do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
+    return rotate_rows<decltype(real), decltype(number)>(arrays, row);
   });
 }
 
