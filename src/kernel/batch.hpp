@@ -161,18 +161,18 @@ class Batch {
     const Time knot(index_.knots[segment]), scale(Evaluator::scale(record)), offset(Evaluator::offset(record));
     Doubles<Real> scales;
     for (Time& part : scales.part) part = scale;
-    const auto sample_vector = [&](const double* times, size_t i) {
+    double rest[kLanes];
+    for (size_t i = begin; i < end; i += kLanes) {
+      const double* times = times_ + i;
+      if (end - i < kLanes) {
+        for (size_t k = 0; k < kLanes; ++k) rest[k] = times_[i + k < end ? i + k : end - 1];
+        times = rest;
+      }
       Doubles<Real> x;
       for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
         x.part[part] = parameter<Arithmetic>(Time::load(times + part * kTimeLanes) - knot, scale, offset);
       sample_lanes(wide, x.rounded(), scales, i, end);
-    };
-    size_t i = begin;
-    for (; i + kLanes <= end; i += kLanes) sample_vector(times_ + i, i);
-    if (i == end) return;
-    double rest[kLanes];
-    for (size_t k = 0; k < kLanes; ++k) rest[k] = times_[i + k < end ? i + k : end - 1];
-    sample_vector(rest, i);
+    }
   }
 
   // ---- Other times: a segment for each lane ----
@@ -214,7 +214,7 @@ class Batch {
     evaluator_.sample(segment, x, wide.q);
     if constexpr (kWithRates) {
       Rates<Number> rates;
-      evaluator_.sample_rates(segment, x, rates);
+      evaluator_.sample_rates(segment, x, wanted_.alpha, rates);
       if (!finish_rates<Arithmetic>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
       if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, room);
       if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, room);

@@ -31,7 +31,7 @@ struct ArcEvaluator : EvaluatorDefaults {
 
   // Per unit of x the body turns by 2 about m* e.
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number, bool, Rates<Number>& rates) const {
     using Real = Element<Number>;
     relative_vector_part<Arithmetic>(segment.m, segment.e, rates.omega);
     for (size_t k = 0; k < 3; ++k) {

@@ -190,25 +190,26 @@ QTRAJ_INLINE void nested_arcs(const NestedArcsSegmentOf<Number>& segment, Number
 // body rates are those of exp p and, turned by it, the constant one of P. v is a sum of four constant vectors times
 // products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
 template <class Arithmetic, bool kNear, class Number>
-QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, Number s, Rates<Number>& rates) {
+QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, Number s, bool wants_alpha,
+                                    Rates<Number>& rates) {
   const ArcPair<Number> arcs = arc_pair<Arithmetic, kNear>(segment, s);
   HalfAngleJet<Number> jet;
   exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
   Rates<Number> inner;
-  exponential_rates<Arithmetic>(jet, 0, inner);
+  exponential_rates<Arithmetic>(jet, 0, wants_alpha, inner);
 
   // the outer arc's rate seen from behind exp p: turned by its inverse
-  Number carried[3], turning[3];
+  Number carried[3];
   relative_vector_part<Arithmetic>(segment.keys.m, segment.keys.e, carried);
   for (Number& component : carried) component = component * (Number(Element<Number>(2)) * arcs.keys_rate);
   const CosSinc<Number> f = cos_sinc<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0);
   const Number inverse[4] = {f.c, -f.k * jet.p[0], -f.k * jet.p[1], -f.k * jet.p[2]};
   rotate_to_world<Arithmetic>(inverse, carried);
+  for (size_t k = 0; k < 3; ++k) rates.omega[k] = carried[k] + inner.omega[k];
+  if (!wants_alpha) return;
+  Number turning[3];
   cross<Arithmetic>(inner.omega, carried, turning);
-  for (size_t k = 0; k < 3; ++k) {
-    rates.omega[k] = carried[k] + inner.omega[k];
-    rates.alpha[k] = inner.alpha[k] - turning[k];
-  }
+  for (size_t k = 0; k < 3; ++k) rates.alpha[k] = inner.alpha[k] - turning[k];
 }
 
 // Where segments of either kind stand side by side both forms are computed.
@@ -228,12 +229,13 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   }
 
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, bool wants_alpha,
+                                 Rates<Number>& rates) const {
     const auto near = is_near(segment);
     Rates<Number> close, general;
     clear(close.omega), clear(close.alpha), clear(general.omega), clear(general.alpha);
-    if (any(near)) nested_arcs_rates<Arithmetic, true>(segment, s, close);
-    if (!all(near)) nested_arcs_rates<Arithmetic, false>(segment, s, general);
+    if (any(near)) nested_arcs_rates<Arithmetic, true>(segment, s, wants_alpha, close);
+    if (!all(near)) nested_arcs_rates<Arithmetic, false>(segment, s, wants_alpha, general);
     choose(near, close.omega, general.omega, rates.omega);
     choose(near, close.alpha, general.alpha, rates.alpha);
   }

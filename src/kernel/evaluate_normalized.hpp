@@ -37,21 +37,25 @@ struct NormalizedEvaluator : EvaluatorDefaults {
 
   // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; 0 where p is.
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
+                                 Rates<Number>& rates) const {
     using Real = Element<Number>;
     const Number zero = Number(Real(0)), one = Number(Real(1)), two = Number(Real(2));
-    Number p[4], dp[4], ddp[4], bend[3];
-    polynomial_jet<Arithmetic>(segment.c, x, p, dp, ddp);
+    Number p[4], dp[4];
+    vector_horner<Arithmetic>(segment.c, x, p);
+    first_derivative<Arithmetic>(segment.c, x, dp);
     relative_vector_part<Arithmetic>(p, dp, rates.omega);
-    relative_vector_part<Arithmetic>(p, ddp, bend);
     const Number norm_squared = dot<Arithmetic>(p, p);
     const auto is_zero = norm_squared < Number(zero_norm_squared<Real>());
     const Number twice_inverse = select(is_zero, zero, two / select(is_zero, one, norm_squared));
+    for (Number& component : rates.omega) component = twice_inverse * component;
+    if (!wants_alpha) return;
+    Number ddp[4], bend[3];
+    second_derivative<Arithmetic>(segment.c, x, ddp);
+    relative_vector_part<Arithmetic>(p, ddp, bend);
     const Number norm_change = twice_inverse * dot<Arithmetic>(p, dp);  // N'/N
-    for (size_t k = 0; k < 3; ++k) {
-      rates.omega[k] = twice_inverse * rates.omega[k];
+    for (size_t k = 0; k < 3; ++k)
       rates.alpha[k] = Arithmetic::multiply_add(-norm_change, rates.omega[k], twice_inverse * bend[k]);
-    }
   }
 };
 

@@ -26,10 +26,9 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   }
 
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
-    HalfAngleJet<Number> jet;
-    polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
-    exponential_rates<Arithmetic>(jet, doublings_, rates);
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
+                                 Rates<Number>& rates) const {
+    exponential_rates<Arithmetic>(half_angle_jet<Arithmetic>(segment.c, x), doublings_, wants_alpha, rates);
   }
 
  private:
@@ -53,10 +52,9 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   }
 
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, Rates<Number>& rates) const {
-    HalfAngleJet<Number> jet;
-    polynomial_jet<Arithmetic>(segment.c, x, jet.p, jet.dp, jet.ddp);
-    exponential_rates_any<Arithmetic>(jet, rates);
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
+                                 Rates<Number>& rates) const {
+    exponential_rates_any<Arithmetic>(half_angle_jet<Arithmetic>(segment.c, x), wants_alpha, rates);
   }
 };
 

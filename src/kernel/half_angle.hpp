@@ -20,8 +20,12 @@ struct CosSinc {
 };
 template <class Number>
 struct RateFactors {
-  Number d, e;
+  Number c, k, d, e;
 };
+
+// 4^-doublings.
+template <class Real>
+constexpr Real kFraction[] = {Real(1), Real(0.25), Real(0.0625)};
 
 // For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x
 // and sinc 2x = cos x sinc x. No square root, no division, and the same branches for all samples of a trajectory.
@@ -33,7 +37,7 @@ QTRAJ_INLINE CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
 template <class Arithmetic, class Number>
 QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
   using Real = Element<Number>;
-  Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
+  Number z = y * Number(kFraction<Real>[doublings]);
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
   for (int step = 0; step < doublings; ++step) {
     f = doubled<Arithmetic>(f, z);
@@ -42,20 +46,21 @@ QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
   return f;
 }
 
-// D and E the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16.
+// All four the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16. E is left 0 where it is not wanted.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings) {
+QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings, bool wants_e) {
   using Real = Element<Number>;
-  Number z = y * Number(Real(1) / static_cast<Real>(1 << (2 * doublings)));
+  Number z = y * Number(kFraction<Real>[doublings]);
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
-  RateFactors<Number> g = {evaluate<Arithmetic, DHalf>(z), evaluate<Arithmetic, EHalf>(z)};
+  Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
+  if (wants_e) e = evaluate<Arithmetic, EHalf>(z);
   for (int step = 0; step < doublings; ++step) {
-    const Number e = Arithmetic::multiply_add(f.c, g.e, Number(Real(3)) * g.d * f.k);
-    g = {Number(Real(0.25)) * Arithmetic::multiply_add(f.c, g.d, f.k * f.k), Number(Real(0.0625)) * e};
+    e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, e, Number(Real(3)) * d * f.k);
+    d = Number(Real(0.25)) * Arithmetic::multiply_add(f.c, d, f.k * f.k);
     f = doubled<Arithmetic>(f, z);
     z = Number(Real(4)) * z;
   }
-  return g;
+  return {f.c, f.k, d, e};
 }
 
 // For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as
@@ -88,6 +93,15 @@ template <class Number>
 struct HalfAngleJet {
   Number p[3], dp[3], ddp[3];
 };
+// Of a polynomial.
+template <class Arithmetic, class Number, size_t Terms>
+QTRAJ_INLINE HalfAngleJet<Number> half_angle_jet(const Number (&c)[Terms][3], Number x) {
+  HalfAngleJet<Number> jet;
+  vector_horner<Arithmetic>(c, x, jet.p);
+  first_derivative<Arithmetic>(c, x, jet.dp);
+  second_derivative<Arithmetic>(c, x, jet.ddp);
+  return jet;
+}
 
 // Weights of the cross products in the formulas above, p there a vector of any length. A vector of many turns is passed
 // as its unit vector, the powers of its length in the weights: no product then overflows.
@@ -100,19 +114,23 @@ struct RateWeights {
 
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const RateWeights<Number>& weights,
-                              Rates<Number>& rates) {
-  Number once[3], twice[3], ddp_once[3], ddp_twice[3], sideways[3];
+                              bool wants_alpha, Rates<Number>& rates) {
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
+  const Number two = Number(Element<Number>(2));
+  Number once[3], twice[3];
   cross<Arithmetic>(p, jet.dp, once);
   cross<Arithmetic>(p, once, twice);
+  for (size_t k = 0; k < 3; ++k)
+    rates.omega[k] = two * add(weights.twice, twice[k], add(weights.once, once[k], jet.dp[k]));
+  if (!wants_alpha) return;
+
+  Number ddp_once[3], ddp_twice[3], sideways[3];
   cross<Arithmetic>(p, jet.ddp, ddp_once);
   cross<Arithmetic>(p, ddp_once, ddp_twice);
   cross<Arithmetic>(jet.dp, once, sideways);
   const Number along = dot<Arithmetic>(p, jet.dp);
   const Number along_once = weights.along_once * along, along_twice = weights.along_twice * along;
-  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
-  const Number two = Number(Element<Number>(2));
   for (size_t k = 0; k < 3; ++k) {
-    rates.omega[k] = two * add(weights.twice, twice[k], add(weights.once, once[k], jet.dp[k]));
     const Number direct = add(weights.twice, ddp_twice[k], add(weights.once, ddp_once[k], jet.ddp[k]));
     const Number turning = add(weights.sideways, sideways[k], add(along_twice, twice[k], along_once * once[k]));
     rates.alpha[k] = two * (direct + turning);
@@ -121,27 +139,28 @@ QTRAJ_INLINE void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)
 
 // For |p| <= 2^doublings pi/2.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE RateWeights<Number> rate_weights(Number y, int doublings) {
-  const CosSinc<Number> f = cos_sinc<Arithmetic>(y, doublings);
-  const RateFactors<Number> g = rate_factors<Arithmetic>(y, doublings);
-  const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * g.d));
-  return {-(f.k * f.k), twice, twice, Number(Element<Number>(2)) * f.k * g.d,
-          Arithmetic::multiply_add(f.c, g.e, -(f.k * g.d))};
+QTRAJ_INLINE RateWeights<Number> rate_weights(Number y, int doublings, bool wants_alpha) {
+  const RateFactors<Number> f = rate_factors<Arithmetic>(y, doublings, wants_alpha);
+  const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * f.d));
+  return {-(f.k * f.k), twice, twice, Number(Element<Number>(2)) * f.k * f.d,
+          Arithmetic::multiply_add(f.c, f.e, -(f.k * f.d))};
 }
 
 // Body rates of exp p for |p| <= 2^doublings pi/2.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, Rates<Number>& rates) {
-  weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings), rates);
+QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, bool wants_alpha,
+                                    Rates<Number>& rates) {
+  const RateWeights<Number> weights = rate_weights<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings, wants_alpha);
+  weigh_rates<Arithmetic>(jet, jet.p, weights, wants_alpha, rates);
 }
 
 // For any |p| below 2^500; Number of double.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, Rates<Number>& rates) {
+QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
   const Number zero(0.0), one(1.0), two(2.0), three(3.0);
   const Number y = dot<Arithmetic>(jet.p, jet.p);
   const auto is_short = y <= Number(kPolynomialLimit);
-  const RateWeights<Number> near = rate_weights<Arithmetic>(select(is_short, y, zero), 0);
+  const RateWeights<Number> near = rate_weights<Arithmetic>(select(is_short, y, zero), 0, wants_alpha);
 
   const Number length = select(is_short, one, square_root(y));
   const SinCosOf<Number> at = sin_cos_of(length);
@@ -152,7 +171,7 @@ QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, Rates<N
                                        select(is_short, near.along_once, two * k * (k - at.cos)),
                                        select(is_short, near.along_twice, along_twice)};
   const Number direction[3] = {jet.p[0] / length, jet.p[1] / length, jet.p[2] / length};
-  weigh_rates<Arithmetic>(jet, direction, weights, rates);
+  weigh_rates<Arithmetic>(jet, direction, weights, wants_alpha, rates);
 }
 
 }  // namespace

@@ -42,20 +42,24 @@ QTRAJ_INLINE void rotate_to_world(const Number (&q)[4], Number (&v)[3]) {
   for (size_t k = 0; k < 3; ++k) v[k] = v[k] + Arithmetic::multiply_add(q[0], once[k], twice[k]);
 }
 
-// A polynomial with vector coefficients and its first two derivatives, by Horner's scheme; the value as vector_horner
-// has it.
+// The first and the second derivative of a polynomial with vector coefficients.
 template <class Arithmetic, class Number, size_t Terms, size_t Size>
-QTRAJ_INLINE void polynomial_jet(const Number (&c)[Terms][Size], Number x, Number (&value)[Size], Number (&first)[Size],
-                                 Number (&second)[Size]) {
+QTRAJ_INLINE void first_derivative(const Number (&c)[Terms][Size], Number x, Number (&first)[Size]) {
+  Number slopes[Terms - 1][Size];
+  for (size_t term = 1; term < Terms; ++term)
+    for (size_t k = 0; k < Size; ++k) slopes[term - 1][k] = Number(static_cast<Element<Number>>(term)) * c[term][k];
+  vector_horner<Arithmetic>(slopes, x, first);
+}
+template <class Arithmetic, class Number, size_t Terms, size_t Size>
+QTRAJ_INLINE void second_derivative(const Number (&c)[Terms][Size], Number x, Number (&second)[Size]) {
   using Real = Element<Number>;
-  vector_horner<Arithmetic>(c, x, value);
-  for (size_t k = 0; k < Size; ++k) {
-    first[k] = second[k] = Number(Real(0));
-    for (size_t term = Terms; term-- > 1;) {
-      const Number slope = Number(static_cast<Real>(term)) * c[term][k];
-      first[k] = Arithmetic::multiply_add(first[k], x, slope);
-      if (term >= 2) second[k] = Arithmetic::multiply_add(second[k], x, Number(static_cast<Real>(term - 1)) * slope);
-    }
+  if constexpr (Terms == 2) {
+    for (Number& component : second) component = Number(Real(0));
+  } else {
+    Number bends[Terms - 2][Size];
+    for (size_t term = 2; term < Terms; ++term)
+      for (size_t k = 0; k < Size; ++k) bends[term - 2][k] = Number(static_cast<Real>(term * (term - 1))) * c[term][k];
+    vector_horner<Arithmetic>(bends, x, second);
   }
 }
 

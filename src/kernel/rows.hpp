@@ -57,7 +57,7 @@ template <class Arithmetic, class Real, class Work>
 bool finish_rates(const Work (&q)[4], Rates<Work>& rates, double scale, const Wanted& wanted, Row<Real>& row) {
   if (wanted.frame == Frame::world) {
     rotate_to_world<Arithmetic>(q, rates.omega);
-    rotate_to_world<Arithmetic>(q, rates.alpha);
+    if (wanted.alpha) rotate_to_world<Arithmetic>(q, rates.alpha);
   }
   for (size_t k = 0; k < 3; ++k) {
     double value;

@@ -64,7 +64,7 @@ class Sampler {
     for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
     if constexpr (kWithRates) {
       Rates<Work> rates;
-      evaluator_.sample_rates(fields, x, rates);
+      evaluator_.sample_rates(fields, x, wanted_.alpha, rates);
       if (!finish_rates<Arithmetic>(q, rates, scale, wanted_, row)) return Status::not_finite;
     }
     return Status::ok;

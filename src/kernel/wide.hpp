@@ -79,7 +79,8 @@ QTRAJ_INLINE Wide<Real> operator-(Wide<Real> a, Wide<Real> b) {
 }
 template <class Real>
 QTRAJ_INLINE Wide<Real> operator-(Wide<Real> a) {
-  return Wide<Real>::of(hn::Neg(a.lanes));
+  // not hn::Neg, which hides from the compiler that fused steps negate for nothing
+  return Wide<Real>::of(hn::Vec<typename Wide<Real>::Tag>{-a.lanes.raw});
 }
 template <class Real>
 QTRAJ_INLINE Wide<Real> operator*(Wide<Real> a, Wide<Real> b) {

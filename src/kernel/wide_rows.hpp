@@ -32,25 +32,38 @@ QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, 
   for (size_t k = 0; k < Size * rows; ++k) to[Size * row + k] = lanes[k];
 }
 
-// Rates of a segment's parameter to rates in time. Magnitudes past kSafeRate, or what float cannot hold, are left to
-// the scalar code, which tells an overflow without making one: those lanes become 0, and `safe` false.
+// Lanes with a number of magnitude past the limit, or NaN, become 0 in all numbers; false where there are any.
+template <size_t Size>
+QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
+  const Wide<double> zero(0.0), largest(limit);
+  WideMask<double> within = absolute(numbers[0]) <= largest;
+  for (size_t k = 1; k < Size; ++k) within = within & (absolute(numbers[k]) <= largest);
+  if (all(within)) return true;
+  for (Wide<double>& number : numbers) number = select(within, number, zero);
+  return false;
+}
+
+// Rates of a segment's parameter to rates in time, by `times` factors of its scale. Magnitudes past kSafeRate, or what
+// float cannot hold, are left to the scalar code, which tells an overflow without making one: those lanes become 0, and
+// it is false.
 constexpr double kSafeRate = 0x1p300;
 
 template <class Real>
-QTRAJ_INLINE Wide<Real> scaled_rate(Wide<Real> rate, const Doubles<Real>& scale, int times, bool& safe) {
-  const Wide<double> zero(0.0), limit(kSafeRate), largest(largest_of<Real>());
-  Doubles<Real> value = Doubles<Real>::of(rate);
+QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>& scale, int times,
+                              Wide<Real> (&scaled)[3]) {
+  Doubles<Real> values[3] = {Doubles<Real>::of(rates[0]), Doubles<Real>::of(rates[1]), Doubles<Real>::of(rates[2])};
+  bool safe = true;
   for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-    Wide<double>& v = value.part[part];
-    const WideMask<double> small = (absolute(v) <= limit) & (scale.part[part] <= limit);
-    v = select(small, v, zero);
-    const Wide<double> factor = select(small, scale.part[part], zero);
-    for (int step = 0; step < times; ++step) v = v * factor;
-    const WideMask<double> fits = absolute(v) <= largest;
-    v = select(fits, v, zero);
-    safe = safe && all(small & fits);
+    Wide<double> factors[4] = {values[0].part[part], values[1].part[part], values[2].part[part], scale.part[part]};
+    safe = limit_lanes(kSafeRate, factors) && safe;
+    Wide<double> products[3] = {factors[0], factors[1], factors[2]};
+    for (int step = 0; step < times; ++step)
+      for (Wide<double>& product : products) product = product * factors[3];
+    if (sizeof(Real) < sizeof(double)) safe = limit_lanes(largest_of<Real>(), products) && safe;
+    for (size_t k = 0; k < 3; ++k) values[k].part[part] = products[k];
   }
-  return value.rounded();
+  for (size_t k = 0; k < 3; ++k) scaled[k] = values[k].rounded();
+  return safe;
 }
 
 // Takes body rates to time and frame; false where a lane must be done again.
@@ -59,14 +72,11 @@ QTRAJ_INLINE bool finish_rates(const Wide<Real> (&q)[4], Rates<Wide<Real>>& rate
                                const Wanted& wanted, WideRow<Real>& row) {
   if (wanted.frame == Frame::world) {
     rotate_to_world<Arithmetic>(q, rates.omega);
-    rotate_to_world<Arithmetic>(q, rates.alpha);
+    if (wanted.alpha) rotate_to_world<Arithmetic>(q, rates.alpha);
   }
-  bool safe = true;
-  for (size_t k = 0; k < 3; ++k) {
-    if (wanted.omega) row.omega[k] = scaled_rate(rates.omega[k], scale, 1, safe);
-    if (wanted.alpha) row.alpha[k] = scaled_rate(rates.alpha[k], scale, 2, safe);
-  }
-  return safe;
+  const bool omega_is_safe = !wanted.omega || scale_rates(rates.omega, scale, 1, row.omega);
+  const bool alpha_is_safe = !wanted.alpha || scale_rates(rates.alpha, scale, 2, row.alpha);
+  return omega_is_safe && alpha_is_safe;
 }
 
 }  // namespace
