@@ -28,7 +28,7 @@ struct Reduced {
 };
 
 template <class Number>
-QTRAJ_INLINE Reduced<Number> subtract_quarters(Number x, Number quarters) {
+QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, Reduced<Number>& reduced) {
   // pi/2 to 159 bits
   const Number half_pi(0x1.921fb54442d18p+0), half_pi_low(0x1.1a62633145c07p-54),
       half_pi_lowest(-0x1.f1976b7ed8fbcp-110);
@@ -38,19 +38,22 @@ QTRAJ_INLINE Reduced<Number> subtract_quarters(Number x, Number quarters) {
   const ExactOf<Number> once = two_sum(x - product.value, -product.error);
   const ExactOf<Number> twice = two_sum(once.value, -product_low.value);
   const Number rest = (once.error + twice.error) - (product_low.error + quarters * half_pi_lowest);
-  const Number high = twice.value + rest;
-  return {quarters, high, (twice.value - high) + rest};
+  reduced.quarters = quarters;
+  reduced.high = twice.value + rest;
+  reduced.low = (twice.value - reduced.high) + rest;
 }
 
 template <class Number>
 QTRAJ_INLINE Reduced<Number> reduce(Number x) {
   const Number quarters_per_radian(0x1.45f306dc9c883p-1);
-  const Reduced<Number> first = subtract_quarters(x, round_to_integer(x * quarters_per_radian));
+  Reduced<Number> reduced;
+  subtract_quarters(x, round_to_integer(x * quarters_per_radian), reduced);
   // of many turns the first count may be a quarter off: its product was rounded
-  const Number missed = round_to_integer(first.high * quarters_per_radian);
+  const Number missed = round_to_integer(reduced.high * quarters_per_radian);
   const Number zero(0.0);
-  if (!any(missed < zero) && !any(zero < missed)) return first;
-  return subtract_quarters(x, first.quarters + missed);  // the same again where nothing was missed
+  if (any(missed < zero) || any(zero < missed))
+    subtract_quarters(x, reduced.quarters + missed, reduced);  // the same again where nothing was missed
+  return reduced;
 }
 
 template <class Number>

@@ -21,14 +21,16 @@ struct CosSin {
   Number c, s;
 };
 template <class Arithmetic, class Number>
-QTRAJ_INLINE CosSin<Number> on_keys_arc(Number x) {
+QTRAJ_INLINE void on_keys_arc(Number x, CosSin<Number>& at) {
   const Number y = x * x;
-  return {evaluate<Arithmetic, CosArc>(y), x * evaluate<Arithmetic, SincArc>(y)};
+  at.c = evaluate<Arithmetic, CosArc>(y);
+  at.s = x * evaluate<Arithmetic, SincArc>(y);
 }
 template <class Arithmetic, class Number>
-QTRAJ_INLINE CosSin<Number> on_controls_arc(Number x) {
+QTRAJ_INLINE void on_controls_arc(Number x, CosSin<Number>& at) {
   const Number y = x * x;
-  return {evaluate<Arithmetic, CosHalf>(y), x * evaluate<Arithmetic, SincHalf>(y)};
+  at.c = evaluate<Arithmetic, CosHalf>(y);
+  at.s = x * evaluate<Arithmetic, SincHalf>(y);
 }
 
 // slerp(p, c; f) for f in [0, 1/2] of p and c at most pi/3 apart, theta, by d = cos theta and H = theta/sin theta:
@@ -72,7 +74,8 @@ QTRAJ_INLINE void slerp_between(const Number (&p)[4], const Number (&c)[4], Numb
   newton_normalize<Arithmetic>(q);
 }
 
-// Cosines and sines of both arcs at s, and the rates of their angles in s.
+// Cosines and sines of both arcs at s, and the rates of their angles in s. Written field by field: GCC copies a struct
+// of vectors in pieces through memory, and the loads that join them again wait for all that went before.
 template <class Number>
 struct ArcPair {
   CosSin<Number> keys, controls;
@@ -80,10 +83,15 @@ struct ArcPair {
 };
 template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE ArcPair<Number> arc_pair(const NestedArcsSegmentOf<Number>& segment, Number s) {
-  const Number keys_rate = segment.keys.half_angle, controls_rate = segment.controls.half_angle;
-  const CosSin<Number> keys = on_keys_arc<Arithmetic>(s * keys_rate);
-  if constexpr (kNear) return {keys, on_keys_arc<Arithmetic>(s * controls_rate), keys_rate, controls_rate};
-  return {keys, on_controls_arc<Arithmetic>(s * controls_rate), keys_rate, controls_rate};
+  ArcPair<Number> arcs;
+  arcs.keys_rate = segment.keys.half_angle;
+  arcs.controls_rate = segment.controls.half_angle;
+  on_keys_arc<Arithmetic>(s * arcs.keys_rate, arcs.keys);
+  if constexpr (kNear)
+    on_keys_arc<Arithmetic>(s * arcs.controls_rate, arcs.controls);
+  else
+    on_controls_arc<Arithmetic>(s * arcs.controls_rate, arcs.controls);
+  return arcs;
 }
 
 // A sum a0 c C + a1 c S + a2 s C + a3 s S over the products of the arcs' cosines and sines, and its derivatives in s.

@@ -19,18 +19,22 @@ struct PairWeights {
 // Weights that make unit vectors of a and b, b with the sign that the path asks for; and the cosine between these.
 template <class Number>
 struct UnitWeights {
-  PairWeights<Number> weights;
-  Number cosine;
+  Number from_a, from_b, cosine;
 };
 template <class Arithmetic, class Number>
 QTRAJ_INLINE UnitWeights<Number> unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest) {
   // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
   const Number aa = dot<Arithmetic>(a, a), bb = dot<Arithmetic>(b, b), inverse = Number(1.0) / (aa * bb);
-  const Number from_a = square_root(bb * inverse), from_b = square_root(aa * inverse);
-  const Number cosine = dot<Arithmetic>(a, b) * from_a * from_b;
-  if (!is_shortest) return {{from_a, from_b}, cosine};
-  const auto is_opposed = cosine < Number(0.0);
-  return {{from_a, select(is_opposed, -from_b, from_b)}, select(is_opposed, -cosine, cosine)};
+  UnitWeights<Number> unit;
+  unit.from_a = square_root(bb * inverse);
+  unit.from_b = square_root(aa * inverse);
+  unit.cosine = dot<Arithmetic>(a, b) * unit.from_a * unit.from_b;
+  if (is_shortest) {
+    const auto is_opposed = unit.cosine < Number(0.0);
+    unit.from_b = select(is_opposed, -unit.from_b, unit.from_b);
+    unit.cosine = select(is_opposed, -unit.cosine, unit.cosine);
+  }
+  return unit;
 }
 
 // sin((1 - f) theta)/sin theta and sin(f theta)/sin theta (K. Shoemake, "Animating rotation with quaternion curves",
@@ -82,7 +86,7 @@ QTRAJ_INLINE bool interpolate_rows(const PairArrays& arrays, size_t row) {
   const UnitWeights<Number> unit = unit_weights<Arithmetic>(a, b, arrays.path == Path::shortest);
   if (!all(Number(kLeastPairCosine) <= unit.cosine)) return false;
   const PairWeights<Number> weights = Curve::template weights<Arithmetic>(unit.cosine, fraction[0]);
-  const Number from_a = weights.from_a * unit.weights.from_a, from_b = weights.from_b * unit.weights.from_b;
+  const Number from_a = weights.from_a * unit.from_a, from_b = weights.from_b * unit.from_b;
   Number q[4];
   for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
   Curve::template normalize<Arithmetic>(q);
