@@ -19,7 +19,7 @@ const Element* at_offset(const Trajectory& trajectory, size_t bytes) {
 }
 
 constexpr size_t kKeyBytes = 4 * sizeof(double);
-constexpr size_t kKnotBytes = sizeof(double) + sizeof(uint64_t);  // with its entry of the guide, which has one more
+constexpr size_t kKnotBytes = sizeof(double) + Guide::entries(1) * sizeof(uint64_t);
 
 // Latest time, seen from the knot, at which the arc still has a direction: 2^50 rad on, or 2^1000 s.
 double far_distance(double rate) { return rate > 0x1p-950 ? 0x1p50 / rate : 0x1p1000; }
@@ -54,7 +54,7 @@ bool trajectory_size(const Options& options, size_t count, TrajectorySize& size)
   const MethodRow& row = *find_method(options.method);
   const size_t handle_per_key = kKnotBytes + kKeyBytes + row.segment_bytes;
   const size_t workspace_per_key = kKeyBytes + row.workspace_per_key * sizeof(double);
-  const size_t fixed = sizeof(Trajectory) + sizeof(uint64_t);
+  const size_t fixed = sizeof(Trajectory);
   if (count > (PTRDIFF_MAX - fixed) / (handle_per_key + workspace_per_key)) return false;
   size.handle = fixed + count * (kKnotBytes + kKeyBytes) + (count - 1) * row.segment_bytes;
   size.workspace = count * workspace_per_key;
@@ -82,7 +82,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   trajectory->kind = row.kind;
   trajectory->key_count = count;
   trajectory->guide_offset = sizeof(Trajectory) + count * sizeof(double);
-  trajectory->keys_offset = trajectory->guide_offset + (count + 1) * sizeof(uint64_t);
+  trajectory->keys_offset = trajectory->guide_offset + Guide::entries(count) * sizeof(uint64_t);
   trajectory->segments_offset = trajectory->keys_offset + count * kKeyBytes;
 
   Keyframes keys = {at_offset<double>(handle, sizeof(Trajectory)),
@@ -93,7 +93,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   if (options.closed() || options.wraps()) outcome = close_keyframes(keys);
   if (outcome.status != Status::ok) return outcome;
   build_guide(keys.times, count, at_offset<uint64_t>(handle, trajectory->guide_offset), trajectory->guide_scale,
-              trajectory->guide_steps);
+              trajectory->guide_candidates);
 
   Construction construction = {options,
                                input,

@@ -41,7 +41,7 @@ struct Trajectory {
   bool negate_on_wrap;  // PERIODIC extrapolation: the last key is minus the first
   bool on_heap;
   double guide_scale;
-  int32_t guide_steps;
+  size_t guide_candidates;
   size_t guide_offset, keys_offset, segments_offset;  // bytes from here; knots follow this header
 };
 

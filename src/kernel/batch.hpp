@@ -177,31 +177,37 @@ class Batch {
 
   // ---- Other times: a segment for each lane ----
 
-  // Segments of all times first: their searches then overlap, as each waits for memory.
   void sample_staged(size_t rows) {
-    for (size_t i = 0; i < rows + kLanes - kTimeLanes; i += kTimeLanes)
-      hn::StoreU(find_segments(index_, Time::load(times_ + i)), IndexTag(), found_ + i);
+    find_segments(index_, times_, rows + kLanes - kTimeLanes, found_);
     for (size_t i = 0; i < rows; i += kLanes) {
-      Time fields[Doubles<Real>::kParts][kFields];
+      WideSegment wide;
       Doubles<Real> x, scales;
-      for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-        const size_t at = i + part * kTimeLanes;
-        const double* records[kTimeLanes];
-        for (size_t lane = 0; lane < kTimeLanes; ++lane)
-          records[lane] = reinterpret_cast<const double*>(segments_ + found_[at + lane]);
-        load_records(records, fields[part]);
-        scales.part[part] = fields[part][0];
-        const Time offset = Evaluator::kHasOffset ? fields[part][1] : Time(1.0);
-        const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
-        x.part[part] = parameter<Arithmetic>(Time::load(times_ + at) - knot, scales.part[part], offset);
-      }
-      const WideSegment wide = read_segment<WideSegment, Number>([&](size_t k) {
-        Doubles<Real> field;
-        for (size_t part = 0; part < Doubles<Real>::kParts; ++part) field.part[part] = fields[part][k];
-        return field.rounded();
-      });
+      load_segments(i, wide, scales, x);
       sample_lanes(wide, x.rounded(), scales, i, rows);
     }
+  }
+
+  // The segments found for a vector of times, and these in units of their segments.
+  QTRAJ_INLINE void load_segments(size_t i, WideSegment& wide, Doubles<Real>& scales, Doubles<Real>& x) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      load_fields(i, reinterpret_cast<Time(&)[kFields]>(wide), scales.part[0], x.part[0]);
+    } else {
+      Time fields[Doubles<Real>::kParts][kFields];
+      for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
+        load_fields(i + part * kTimeLanes, fields[part], scales.part[part], x.part[part]);
+      wide = read_segment<WideSegment, Number>([&](size_t k) {
+        return Doubles<Real>{{fields[0][k], fields[1][k]}}.rounded();
+      });
+    }
+  }
+  QTRAJ_INLINE void load_fields(size_t at, Time (&fields)[kFields], Time& scale, Time& x) const {
+    const double* records[kTimeLanes];
+    for (size_t lane = 0; lane < kTimeLanes; ++lane)
+      records[lane] = reinterpret_cast<const double*>(segments_ + found_[at + lane]);
+    load_records(records, fields);
+    scale = fields[0];
+    const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
+    x = parameter<Arithmetic>(Time::load(times_ + at) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
   }
 
   // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and

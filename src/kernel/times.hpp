@@ -63,10 +63,11 @@ inline KnotIndex knot_index(const Trajectory& trajectory) {
   return {reinterpret_cast<const double*>(block + sizeof(Trajectory)),
           trajectory.key_count - 1,
           {reinterpret_cast<const uint64_t*>(block + trajectory.guide_offset), trajectory.before.knot,
-           trajectory.guide_scale, trajectory.guide_steps}};
+           trajectory.guide_scale, trajectory.guide_candidates}};
 }
 
 // Segment of a time within the knots: the one that starts at or last before it; at the last knot the last one.
+// Looked for first at the guess, which may be any number, and after it.
 inline size_t find_segment(const KnotIndex& index, double time, size_t guess) {
   const double* knots = index.knots;
   if (guess < index.segments && knots[guess] <= time) {
@@ -74,8 +75,8 @@ inline size_t find_segment(const KnotIndex& index, double time, size_t guess) {
     if (guess + 1 < index.segments && time < knots[guess + 2]) return guess + 1;
   }
   size_t low = index.guide.first_candidate[index.guide.bucket(time)];
-  for (size_t step = size_t{1} << index.guide.steps; (step >>= 1) > 0;) {
-    const size_t middle = low + step < index.segments ? low + step : index.segments - 1;
+  for (size_t left = index.guide.candidates; left > 1; left -= left / 2) {
+    const size_t middle = low + left / 2;
     low = knots[middle] <= time ? middle : low;
   }
   return low;
