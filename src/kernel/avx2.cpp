@@ -4,6 +4,7 @@
 #if defined(QTRAJ_X86_KERNELS)
 
 #include "batch.hpp"
+#include "clean_upper.hpp"
 #include "row_kernels.hpp"
 #include "wide_arrays.hpp"
 
@@ -12,10 +13,10 @@ static_assert(HWY_TARGET == HWY_AVX2, "compiled with the flags of another target
 namespace qtraj {
 
 const Kernel kAvx2Kernel = {"avx2 fused",
-                            sample_batch<Fused, double>,
-                            sample_batch<Fused, float>,
-                            sample_at<Fused, double>,
-                            sample_at<Fused, float>,
+                            clean_upper<sample_batch<Fused, double>>,
+                            clean_upper<sample_batch<Fused, float>>,
+                            clean_upper<sample_at<Fused, double>>,
+                            clean_upper<sample_at<Fused, float>>,
                             kRowKernels<Fused, Wide<double>>};
 
 }  // namespace qtraj

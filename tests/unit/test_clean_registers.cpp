@@ -1,0 +1,104 @@
+// Calls leave the upper halves of the vector registers clean. The processor tells: bits 2 and 6 of its state components
+// (Intel SDM, vol. 1, 13.1 and 13.6) are the upper halves of the YMM and of the ZMM registers.
+#include <qtraj.h>
+
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
+#include "support/kernel_curves.hpp"
+
+namespace {
+
+#if defined(__x86_64__)
+bool can_tell() {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+  return has_avx2 && __get_cpuid_count(0xd, 1, &a, &b, &c, &d) != 0 && (a & 4) != 0;
+}
+void clean() { __asm__ volatile("vzeroupper"); }
+bool are_clean() {
+  unsigned low = 0, high = 0;
+  __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(1));
+  return (low & 0x44) == 0;
+}
+void soil() { __asm__ volatile("vpcmpeqd %%ymm0, %%ymm0, %%ymm0" : : : "xmm0"); }
+#else
+bool can_tell() { return false; }
+void clean() {}
+bool are_clean() { return true; }
+void soil() {}
+#endif
+
+// How many of the calls leave them in use.
+template <class... Calls>
+size_t unclean(const Calls&... calls) {
+  size_t count = 0;
+  const auto check = [&](const auto& call) {
+    clean();
+    call();
+    count += !are_clean();
+  };
+  (check(calls), ...);
+  return count;
+}
+
+template <class Real>
+size_t unclean_samples(const test::KernelCurve& curve, const test::Request& request) {
+  constexpr size_t kCount = 100;
+  test::OwnRows<Real> rows(kCount, request);
+  const test::Arrays<Real> to = rows.arrays();
+  const double first = curve.knots.front(), span = curve.knots.back() - first;
+  test::Random random(1);
+  std::vector<double> sorted, any;
+  for (size_t i = 0; i < kCount; ++i) {
+    sorted.push_back(first + span * static_cast<double>(i) / kCount);
+    any.push_back(first + span * random.uniform(0, 1));
+  }
+  size_t cursor = 0;
+  const qtraj_trajectory* trajectory = curve.get();
+  return unclean([&] { sample(trajectory, request, sorted.data(), kCount, to); },
+                 [&] { sample(trajectory, request, any.data(), kCount, to); },
+                 [&] { sample(trajectory, request, any.data(), 1, to); },
+                 [&] { capi::sample_at(trajectory, any[7], &cursor, to.q); },
+                 [&] { capi::sample_rates_at(trajectory, request.frame, any[8], &cursor, to.q, to.omega, to.alpha); });
+}
+
+size_t unclean_rows() {
+  constexpr size_t kCount = 21;
+  test::Random random(2);
+  const test::Keys keys = test::random_walk(random, kCount, 1.0, 0.2, 2.0);
+  const double *q = keys.q.data(), half = 0.5;
+  std::vector<double> vectors(3 * kCount, 1.0), out(4 * kCount), signs = keys.q;
+  double mean[4];
+  return unclean([&] { qtraj_slerp_pairs(q, q + 4, &half, 1, kCount - 1, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+                 [&] { qtraj_nlerp_pairs(q, q + 4, &half, 1, kCount - 1, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+                 [&] { qtraj_rotate(q, kCount, vectors.data(), kCount, kCount, out.data(), nullptr); },
+                 [&] { qtraj_normalize(q, kCount, out.data(), nullptr); },
+                 [&] { qtraj_make_continuous(signs.data(), 1, kCount, signs.data(), nullptr, nullptr); },
+                 [&] { qtraj_mean_eigen(q, nullptr, kCount, mean, nullptr, nullptr); },
+                 [&] { qtraj_mean_karcher(q, nullptr, kCount, 0, 100, mean, nullptr, nullptr, nullptr); });
+}
+
+}  // namespace
+
+TEST_CASE("no call leaves the upper halves of vector registers in use", "[kernel]") {
+  if (!can_tell()) {
+    WARN("not run: this CPU does not tell which registers are in use");
+    return;
+  }
+  soil();
+  const bool noticed = !are_clean();
+  clean();
+  REQUIRE(noticed);
+  const std::vector<test::KernelCurve> curves = test::kernel_curves(QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_ERROR);
+  test::for_every_kernel([&](const char*) {
+    for (const test::KernelCurve& curve : curves)
+      for (const test::Request& request : test::kRequests) {
+        CAPTURE(curve.name, request.omega, request.alpha);
+        CHECK(unclean_samples<double>(curve, request) == 0);
+        CHECK(unclean_samples<float>(curve, request) == 0);
+      }
+    CHECK(unclean_rows() == 0);
+  });
+}
