@@ -49,8 +49,20 @@ class Sampler {
 
   Status sample(double time, size_t& cursor, Row<Real>& row) const {
     if (!is_finite(time)) return Status::not_finite;
-    if (time < trajectory_.before.knot || time > trajectory_.after.knot) return sample_outside(time, cursor, row);
-    return sample_inside(time, cursor, row);
+    bool negate = false;
+    if (time < trajectory_.before.knot || time > trajectory_.after.knot) {
+      const Extrapolation& side = time < trajectory_.before.knot ? trajectory_.before : trajectory_.after;
+      if (side.rule == Extrapolate::error) return Status::time_range;
+      if (side.rule != Extrapolate::periodic) return sample_outside(side, time, row);
+      const WrappedTime wrapped = wrap_time(trajectory_, time);
+      time = wrapped.time;
+      negate = wrapped.negate;
+    }
+    cursor = find_segment(index_, time, cursor);
+    const Status status = sample_segment(cursor, time - index_.knots[cursor], row);
+    if (negate)
+      for (Real& component : row.q) component = -component;
+    return status;
   }
 
   // In a given segment, up to its very ends.
@@ -81,21 +93,7 @@ class Sampler {
     }
   }
 
-  Status sample_inside(double time, size_t& cursor, Row<Real>& row) const {
-    cursor = find_segment(index_, time, cursor);
-    return sample_segment(cursor, time - index_.knots[cursor], row);
-  }
-
-  Status sample_outside(double time, size_t& cursor, Row<Real>& row) const {
-    const Extrapolation& side = time < trajectory_.before.knot ? trajectory_.before : trajectory_.after;
-    if (side.rule == Extrapolate::error) return Status::time_range;
-    if (side.rule == Extrapolate::periodic) {
-      const WrappedTime wrapped = wrap_time(trajectory_, time);
-      const Status status = sample_inside(wrapped.time, cursor, row);
-      if (wrapped.negate)
-        for (Real& component : row.q) component = -component;
-      return status;
-    }
+  Status sample_outside(const Extrapolation& side, double time, Row<Real>& row) const {
     double q[4];
     extrapolate(side, time, q);
     for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
