@@ -22,8 +22,6 @@ Status check_keyframe(const KeyframeInput& input, size_t key) {
 
 double KeyframeInput::epsilon() const { return q_wb.single ? FLT_EPSILON : DBL_EPSILON; }
 
-UnitQuaternion Keyframes::operator[](size_t key) const { return {load(q[key]), load(q_remainder[key])}; }
-
 void Keyframes::set(size_t key, const UnitQuaternion& unit) {
   store(unit.value, q[key]);
   store(unit.error, q_remainder[key]);

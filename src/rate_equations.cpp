@@ -1,11 +1,8 @@
 #include "qtraj/rate_equations.hpp"
 
-#include <utility>
-
+#include "kernel/arithmetic.hpp"
 #include "qtraj/end_rate.hpp"
 #include "qtraj/given_rates.hpp"
-#include "qtraj/knots.hpp"
-#include "qtraj/so3.hpp"
 
 namespace qtraj {
 namespace {
@@ -13,25 +10,31 @@ namespace {
 // |h w| past this: the squares in beta, over the shortest interval, could overflow.
 constexpr double kLargestRise = 0x1p200;
 
+QTRAJ_INLINE Vector3 rate_from(const RateEquation& row, const Vector3& d) {
+  return product(load_matrix(row.jacobian), d);
+}
+
+// Sets the rate at a knot.
+QTRAJ_INLINE void set_rate(const Vector3& d, const Vector3& w, RateEquation& row) {
+  store(d, row.d);
+  store(w, row.w);
+  row.local_rate = std::max(largest_component(w), row.chord_rate);
+}
+
 }  // namespace
 
-RateWorkspace rate_workspace_of(const Construction& construction) {
-  const size_t count = construction.keys.count;
-  double* at = construction.workspace;
-  const auto vectors = [&] { return reinterpret_cast<double(*)[3]>(std::exchange(at, at + 3 * count)); };
-  const auto matrices = [&] { return reinterpret_cast<double(*)[9]>(std::exchange(at, at + 9 * count)); };
-  RateWorkspace workspace;
-  workspace.w = vectors();
-  workspace.saved = vectors();
-  workspace.r = vectors();
-  workspace.turning = vectors();
-  workspace.jacobian = matrices();
-  workspace.inverse = matrices();
-  workspace.space.x = vectors();
-  workspace.space.upper = matrices();
-  workspace.space.column = matrices();
-  return workspace;
+RateEquations::RateEquations(Construction& construction)
+    : construction_(construction),
+      keys_(construction.keys),
+      unknowns_(closed() ? keys_.segments() : keys_.count),
+      rows_(reinterpret_cast<RateEquation*>(construction.workspace)) {
+  double* at = construction.workspace + keys_.count * (sizeof(RateEquation) / sizeof(double));
+  space_.x = reinterpret_cast<double(*)[3]>(at);
+  space_.inverse = reinterpret_cast<double(*)[9]>(at + 3 * keys_.count);
+  space_.column = reinterpret_cast<double(*)[9]>(at + 12 * keys_.count);
 }
+
+// ---- The equations ----
 
 const EndSetting* RateEquations::open_end(size_t knot) const {
   if (closed()) return nullptr;
@@ -39,148 +42,168 @@ const EndSetting* RateEquations::open_end(size_t knot) const {
   return knot == keys_.segments() ? &construction_.options.end : nullptr;
 }
 
-bool RateEquations::is_fixed(size_t knot) const {
+IntervalShares RateEquations::shares(size_t knot) const {
   const EndSetting* end = open_end(knot);
-  return end && end->condition != End::natural;
+  if (!end) return interval_shares(h(previous(knot)), h(knot));
+  if (end->condition != End::natural) return {0.0, 0.0};
+  return knot == 0 ? IntervalShares{1.0, 0.0} : IntervalShares{0.0, 1.0};
 }
 
 Outcome RateEquations::fix_end(size_t knot) {
   const EndSetting& end = *open_end(knot);
   const size_t segment = knot == 0 ? 0 : knot - 1;
+  RateEquation& row = rows_[knot];
+  Vector3 w;
   if (end.condition == End::chord) {
-    store(chord_rate(keys_, segment), workspace_.w[knot]);
+    w = chord_rate(keys_, segment);
   } else if (end.condition == End::given) {
-    Vector3 rise;
-    if (!scaled_to_body(end.omega, construction_.options.rate_frame, keys_[knot].value, h(segment), kLargestRise, rise))
+    if (!scaled_to_body(end.omega, construction_.options.rate_frame, keys_[knot].value, h(segment), kLargestRise, w))
       return {Status::not_finite, knot};
-    store(Vector3(rise / h(segment)), workspace_.w[knot]);
+    w /= h(segment);
   } else {
-    const Side side = knot == 0 ? Side::start : Side::end;
-    store(estimated_end_rate(keys_, side, 3, construction_.input.epsilon()), workspace_.w[knot]);
+    w = estimated_end_rate(keys_, knot == 0 ? Side::start : Side::end, 3, construction_.input.epsilon());
   }
+  const Vector3 d = inverse_right_jacobian(load(row.r), w);
+  set_rate(d, rate_from(row, d), row);
+  store(load(row.w), row.constant);
   return {};
+}
+
+// In loops of their own: each is a chain of operations that wait for each other, and a processor overlaps those of
+// segments only as far as it sees ahead.
+void RateEquations::prepare_segments() {
+  for (size_t i = 0; i < keys_.segments(); ++i) {
+    RateEquation& row = rows_[end_of(i)];
+    store(Vector3(2.0 * relative_log(keys_[i], keys_[i + 1])), row.r);
+    row.h = h(i);
+  }
+  for (size_t i = 0; i < keys_.segments(); ++i) {
+    RateEquation& row = rows_[end_of(i)];
+    const JacobianAndTurning at_end = jacobian_and_turning(load(row.r));
+    store_matrix(at_end.jacobian, row.jacobian);
+    row.turning = at_end.turning;
+  }
+}
+
+void RateEquations::prepare_row(size_t knot) {
+  RateEquation& row = rows_[knot];
+  const RateEquation &before = rows_[previous(knot)], &after = rows_[next(knot)];
+  const IntervalShares share = shares(knot);
+  const double h_after = knot < keys_.segments() ? h(knot) : row.h;
+  const double per_h = 1.0 / row.h, per_h_after = 1.0 / h_after;
+  const Vector3 chord = per_h * load(row.r), chord_after = per_h_after * load(after.r);
+  store_matrix(0.5 * share.right * product(load_matrix(row.jacobian), load_matrix(before.jacobian)), row.lower);
+  row.upper = 0.5 * share.left;
+  store(Vector3(1.5 * share.right * chord + 1.5 * share.left * chord_after), row.constant);
+  row.turning = 0.25 * share.right * row.turning;
+  row.reach = 0.25 * std::max(share.right * row.h, share.left * h_after);
+  row.chord_rate = std::max(largest_component(chord), largest_component(chord_after));
+  row.limit = kLargestRise * std::min(per_h, per_h_after);
+  set_rate(Vector3::Zero(), Vector3::Zero(), row);
 }
 
 Outcome RateEquations::prepare() {
-  for (size_t i = 0; i < keys_.segments(); ++i) {
-    const Vector3 r = 2.0 * relative_log(keys_[i], keys_[i + 1]);
-    const TurningFactors turning = turning_factors(r);
-    store(r, workspace_.r[i]);
-    store(Vector3(turning.along_once, turning.along_twice, turning.sideways), workspace_.turning[i]);
-    block::store(right_jacobian_matrix(r), workspace_.jacobian[i]);
-    block::store(inverse_right_jacobian_matrix(r), workspace_.inverse[i]);
+  if (!closed()) {
+    // before the first knot there is nothing
+    rows_[0] = {};
+    rows_[0].h = h(0);
+    store_matrix(Matrix3::Identity(), rows_[0].jacobian);
   }
-  for (size_t knot = 0; knot < keys_.count; ++knot) {
-    store(Vector3::Zero().eval(), workspace_.w[knot]);
-    if (!is_fixed(knot)) continue;
-    const Outcome outcome = fix_end(knot);
-    if (outcome.status != Status::ok) return outcome;
+  prepare_segments();
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    prepare_row(knot);
+    if (open_end(knot) && rows_[knot].reach == 0) {
+      const Outcome outcome = fix_end(knot);
+      if (outcome.status != Status::ok) return outcome;
+    }
+    fastest_ = std::max(fastest_, rows_[knot].local_rate);
   }
   return {};
 }
 
-// beta(R, A w) at the right end of a segment, with its derivative: multiplied by h, so that w only appears as h w.
-void RateEquations::add_turning(size_t segment, const Vector3& rate, double weight, BlockRow& row) const {
-  const Vector3 end_rise = product(inverse(segment), Vector3(h(segment) * rate));
-  const double* turning = workspace_.turning[segment];
-  const TurningFactors factors = {turning[0], turning[1], turning[2]};
-  row.right -= (weight / h(segment)) * turning_acceleration(factors, r(segment), end_rise);
-  row.diagonal += weight * product(turning_jacobian(factors, r(segment), end_rise), inverse(segment));
-}
+// Rows of the Newton step from the rates d: on the right is what is left of the equations.
+struct RateEquations::System {
+  const RateEquation* rows;
+  size_t count;
+  double weight;
 
-BlockRow RateEquations::inner_row(size_t knot, double weight) const {
-  const size_t b = before(knot), a = after(knot);
-  const IntervalShares share = interval_shares(h(b), h(a));
-  BlockRow row;
-  row.lower = 2.0 * share.right * jacobian(b);
-  row.diagonal = 4.0 * Matrix3::Identity();
-  row.upper = 2.0 * share.left * inverse(a);
-  const size_t next = closed() && knot + 1 == unknowns() ? 0 : knot + 1;
-  row.right = 6.0 * (share.right / h(b) * r(b) + share.left / h(a) * r(a)) - 4.0 * w(knot) - product(row.lower, w(b)) -
-              product(row.upper, w(next));
-  add_turning(b, w(knot), weight * share.right, row);
-  return row;
-}
-
-// alpha = 0.
-BlockRow RateEquations::natural_row(size_t knot, double weight) const {
-  BlockRow row = {Matrix3::Zero(), 2.0 * Matrix3::Identity(), Matrix3::Zero(), Vector3::Zero()};
-  if (knot == 0) {
-    row.upper = inverse(0);
-    row.right = 3.0 / h(0) * r(0) - 2.0 * w(0) - product(row.upper, w(1));
-  } else {
-    const size_t b = knot - 1;
-    row.lower = jacobian(b);
-    row.right = 3.0 / h(b) * r(b) - 2.0 * w(knot) - product(row.lower, w(b));
-    add_turning(b, w(knot), 0.5 * weight, row);
+  QTRAJ_INLINE Matrix3 lower(size_t i) const { return load_matrix(rows[i].lower); }
+  QTRAJ_INLINE double upper(size_t i) const { return rows[i].upper; }
+  QTRAJ_INLINE Matrix3 diagonal(size_t i) const {
+    const RateEquation& row = rows[i];
+    if (weight == 0) return load_matrix(row.jacobian);
+    return load_matrix(row.jacobian) +
+           turning_jacobian(weight * row.turning, load(row.r), Vector3(row.h * load(row.d)));
   }
-  return row;
-}
+  QTRAJ_INLINE Vector3 right(size_t i, const Vector3& before) const {
+    const RateEquation &row = rows[i], &last = rows[i == 0 ? count - 1 : i - 1],
+                       &next = rows[i + 1 == count ? 0 : i + 1];
+    Vector3 rest = load(row.constant) - load(row.w) - row.upper * load(next.d);
+    // beta of h d, divided by h: rates only appear as h d, whose squares cannot overflow
+    if (weight > 0)
+      rest -= turning_acceleration(weight / row.h * row.turning, load(row.r), Vector3(row.h * load(row.d)));
+    // last what waits for the row before
+    return rest - product(load_matrix(row.lower), Vector3(load(last.d) + before));
+  }
+};
 
-BlockRow RateEquations::row(size_t knot, double weight) const {
-  if (is_fixed(knot)) return {Matrix3::Zero(), Matrix3::Identity(), Matrix3::Zero(), Vector3::Zero()};
-  return open_end(knot) ? natural_row(knot, weight) : inner_row(knot, weight);
-}
-
-double RateEquations::local_rate(size_t knot) const {
-  double rate = largest_component(w(knot));
-  if (knot > 0) rate = std::max(rate, largest_component(r(knot - 1)) / h(knot - 1));
-  if (knot < keys_.segments()) rate = std::max(rate, largest_component(r(knot)) / h(knot));
-  return rate;
-}
-
-double RateEquations::fastest_rate() const {
-  double fastest = 0;
-  for (size_t knot = 0; knot < keys_.count; ++knot) fastest = std::max(fastest, local_rate(knot));
-  return fastest;
-}
+// ---- Their solution ----
 
 // What a change of the rate at a knot is measured by. Where all around is at rest, repeated keys, a share of the
 // fastest knot's rate; where everything is, or moves by denormal steps, a rate of no account.
-double RateEquations::scale_at(size_t knot, double fastest) const {
-  return std::max({local_rate(knot), 1e-6 * fastest, 1e-290});
+double RateEquations::scale_at(const RateEquation& row) const {
+  return std::max({row.local_rate, 1e-6 * fastest_, 1e-290});
 }
 
-double RateEquations::longest_beside(size_t knot) const {
-  if (!closed() && knot == 0) return h(0);
-  if (!closed() && knot == keys_.segments()) return h(knot - 1);
-  return std::max(h(before(knot)), h(after(knot)));
-}
-
-bool RateEquations::apply_step(double& size) {
-  const double fastest = fastest_rate();
-  size = 0;
-  for (size_t knot = 0; knot < unknowns(); ++knot) {
-    const Vector3 change = load(workspace_.space.x[knot]), rate = w(knot) + change;
-    if (largest_component(rate) > kLargestRise / longest_beside(knot)) return false;
-    size = std::max(size, largest_component(change) / scale_at(knot, fastest));
-    store(rate, workspace_.w[knot]);
-  }
-  if (closed()) store(w(0), workspace_.w[unknowns()]);
-  return true;
+bool RateEquations::factorize(double weight) {
+  const System system = {rows_, unknowns_, weight};
+  return closed() ? factorize_cyclic(unknowns_, system, space_) : factorize_tridiagonal(unknowns_, system, space_);
 }
 
 bool RateEquations::step(double weight, double& size) {
-  const auto rows = [&](size_t knot) { return row(knot, weight); };
+  const System system = {rows_, unknowns_, weight};
   ++construction_.iterations;
-  const bool solved = closed() ? solve_cyclic(unknowns(), rows, workspace_.space)
-                               : solve_tridiagonal(unknowns(), rows, workspace_.space);
-  return solved && apply_step(size);
+  if (closed())
+    solve_cyclic(unknowns_, system, space_);
+  else
+    solve_tridiagonal(unknowns_, system, space_);
+  return apply_step(size);
 }
 
-void RateEquations::copy(double (*from)[3], double (*to)[3]) const {
-  for (size_t knot = 0; knot < keys_.count; ++knot) store(load(from[knot]), to[knot]);
+bool RateEquations::apply_step(double& size) {
+  double fastest = 0;
+  size = 0;
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    RateEquation& row = rows_[knot];
+    const Vector3 d = load(row.d) + load(space_.x[knot]), w = rate_from(row, d);
+    if (largest_component(w) > row.limit) return false;
+    size = std::max(size, largest_component(Vector3(w - load(row.w))) / scale_at(row));
+    set_rate(d, w, row);
+    fastest = std::max(fastest, row.local_rate);
+  }
+  fastest_ = fastest;
+  return true;
 }
 
-void RateEquations::save() const { copy(workspace_.w, workspace_.saved); }
-void RateEquations::restore() const { copy(workspace_.saved, workspace_.w); }
+void RateEquations::save() {
+  for (size_t knot = 0; knot < unknowns_; ++knot) store(load(rows_[knot].d), rows_[knot].saved);
+}
+
+void RateEquations::restore() {
+  fastest_ = 0;
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    RateEquation& row = rows_[knot];
+    set_rate(load(row.saved), rate_from(row, load(row.saved)), row);
+    fastest_ = std::max(fastest_, row.local_rate);
+  }
+}
 
 double RateEquations::change_from_saved() const {
-  const double fastest = fastest_rate();
   double change = 0;
-  for (size_t knot = 0; knot < keys_.count; ++knot) {
-    const double difference = largest_component(Vector3(w(knot) - load(workspace_.saved[knot])));
-    change = std::max(change, difference / scale_at(knot, fastest));
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    const RateEquation& row = rows_[knot];
+    const Vector3 difference = load(row.w) - rate_from(row, load(row.saved));
+    change = std::max(change, largest_component(difference) / scale_at(row));
   }
   return change;
 }
@@ -189,18 +212,17 @@ double RateEquations::residual() const {
   // in units of the shortest interval: rates over the shortest ones squared could overflow
   double shortest = h(0);
   for (size_t i = 1; i < keys_.segments(); ++i) shortest = std::min(shortest, h(i));
+  const System system = {rows_, unknowns_, 1.0};
   double largest_jump = 0, largest_alpha = 0;
-  for (size_t knot = 0; knot < unknowns(); ++knot) {
-    if (!is_fixed(knot)) {
-      const bool end = open_end(knot) != nullptr;
-      const double reach = end ? 0.5 * h(before(knot + (knot == 0)))
-                               : h(before(knot)) * interval_shares(h(before(knot)), h(after(knot))).right;
-      largest_jump = std::max(largest_jump, largest_component(row(knot, 1.0).right) * (shortest / reach));
-    }
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    const RateEquation& row = rows_[knot];
+    if (row.reach > 0)
+      largest_jump =
+          std::max(largest_jump, largest_component(system.right(knot, Vector3::Zero())) * (shortest / row.reach));
     if (knot == keys_.segments()) continue;
     const double unit = shortest / h(knot);
-    const Vector3 alpha = 6.0 / h(knot) * r(knot) - 4.0 * w(knot) - 2.0 * product(inverse(knot), w(knot + 1));
-    largest_alpha = std::max({largest_alpha, largest_component(alpha) * unit, largest_component(w(knot)) * unit});
+    const Vector3 alpha = 6.0 / h(knot) * r(knot) - 4.0 * load(row.w) - 2.0 * end_rate(knot);
+    largest_alpha = std::max({largest_alpha, largest_component(alpha) * unit, largest_component(load(row.w)) * unit});
   }
   constexpr double kAtRest = 1e-280;  // rates of no account, with few digits left
   return largest_alpha > kAtRest ? largest_jump / largest_alpha : 0.0;

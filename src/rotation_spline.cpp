@@ -6,11 +6,13 @@ namespace qtraj {
 namespace {
 
 // Newton's method while it converges at once: a first step of at most half the rates, each later one at most half the
-// one before. Two more steps after the one below 1e-9 reach rounding.
+// one before. Two more steps after the one below 1e-9 reach rounding. After a step below 1e-4 its matrix is kept: each
+// further one still gains as many digits as that step had, at half the price.
 bool converge(RateEquations& equations, double weight) {
-  constexpr double kSmall = 1e-9;
+  constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4;
   double allowed = 0.5, size = 1.0;
   while (size >= kSmall) {
+    if (size >= kKeepMatrix && !equations.factorize(weight)) return false;
     if (!equations.step(weight, size) || size > std::max(allowed, kSmall)) return false;
     allowed = 0.5 * size;
   }
@@ -38,7 +40,7 @@ bool continue_from_zero(RateEquations& equations) {
 Outcome solve(RateEquations& equations) {
   // without beta the equations are linear: one step from anywhere
   double size;
-  if (!equations.step(0.0, size)) return {Status::no_convergence, kNoIndex};
+  if (!equations.factorize(0.0) || !equations.step(0.0, size)) return {Status::no_convergence, kNoIndex};
   equations.save();
   if (converge(equations, 1.0)) return {};
   equations.restore();
@@ -48,9 +50,8 @@ Outcome solve(RateEquations& equations) {
 }  // namespace
 
 Outcome build_rotation_spline(Construction& construction) {
-  const RateWorkspace workspace = rate_workspace_of(construction);
   const Keyframes& keys = construction.keys;
-  RateEquations equations(construction, workspace);
+  RateEquations equations(construction);
   Outcome outcome = equations.prepare();
   if (outcome.status != Status::ok) return outcome;
   // two keys that close a curve are one orientation: at rest
@@ -65,14 +66,14 @@ Outcome build_rotation_spline(Construction& construction) {
   double bound = 0;
   for (size_t i = 0; i < keys.segments(); ++i) {
     const double h = keys.step(i);
-    const Vector3 start = 0.5 * h * load(workspace.w[i]), end = 0.5 * h * load(workspace.w[i + 1]);
-    const EndValues<Vector3> p = {
-        {Vector3::Zero(), 0.5 * load(workspace.r[i])}, {start, product(Matrix3(workspace.inverse[i]), end)}, {}};
+    const EndValues<Vector3> p = {{Vector3::Zero(), 0.5 * equations.r(i)},
+                                  {0.5 * h * equations.start_rate(i), 0.5 * h * equations.end_rate(i)},
+                                  {}};
     bound = std::max(bound, set_cubic(keys[i].value, h, p, segments[i]));
   }
   construction.range = range_of(bound);
-  construction.omega_start = load(workspace.w[0]);
-  construction.omega_end = load(workspace.w[keys.segments()]);
+  construction.omega_start = equations.w(0);
+  construction.omega_end = equations.w(keys.segments());
   return {};
 }
 

@@ -21,8 +21,9 @@ double set_cubic(const Quaternion& base, double h, const EndValues<Vector3>& p, 
   Vector3 c[4];
   cubic_through(p, c);
   set_segment<3>(base, h, c, segment);
-  const Vector3 inner0 = p.value[0] + p.rise[0] / 3.0, inner1 = p.value[1] - p.rise[1] / 3.0;
-  return std::max({length(p.value[0]), length(p.value[1]), length(inner0), length(inner1)});
+  const Vector3 inner0 = p.value[0] + (1.0 / 3.0) * p.rise[0], inner1 = p.value[1] - (1.0 / 3.0) * p.rise[1];
+  return std::sqrt(
+      std::max({dot(p.value[0], p.value[0]), dot(p.value[1], p.value[1]), dot(inner0, inner0), dot(inner1, inner1)}));
 }
 
 double set_quintic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<5>& segment) {

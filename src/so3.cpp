@@ -98,39 +98,23 @@ Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w) {
   return inverse_right_jacobian(factors_of(r), r, w);
 }
 
-TurningFactors turning_factors(const Vector3& r) {
-  const HalfAngleFactors f = factors_of(r);
+namespace {
+
+TurningFactors turning_factors(const HalfAngleFactors& f) {
   return {0.25 * f.k * f.d, 0.0625 * (f.c * f.e - f.k * f.d), 0.25 * (f.k * f.k - f.c * f.d)};
 }
 
-Vector3 turning_acceleration(const TurningFactors& f, const Vector3& r, const Vector3& d) {
-  const double along = dot(r, d);
-  const Vector3 once = cross(r, d);
-  return (f.along_once * along) * once + (f.along_twice * along) * cross(r, once) + f.sideways * cross(d, once);
-}
+}  // namespace
 
-Matrix3 turning_jacobian(const TurningFactors& f, const Vector3& r, const Vector3& d) {
-  // term by term the product rule on beta
-  const double along = dot(r, d);
-  const Vector3 once = cross(r, d);
-  const Matrix3 by_r = cross_matrix(r);
-  return f.along_once * (outer_product(once, r) + along * by_r) +
-         f.along_twice * (outer_product(cross(r, once), r) + along * product(by_r, by_r)) +
-         f.sideways * (product(cross_matrix(d), by_r) - cross_matrix(once));
-}
+TurningFactors turning_factors(const Vector3& r) { return turning_factors(factors_of(r)); }
 
-Matrix3 right_jacobian_matrix(const Vector3& r) {
+JacobianAndTurning jacobian_and_turning(const Vector3& r) {
   const HalfAngleFactors f = factors_of(r);
-  Matrix3 matrix;
-  for (int k = 0; k < 3; ++k) matrix.col(k) = right_jacobian(f, r, Vector3::Unit(k));
-  return matrix;
-}
-
-Matrix3 inverse_right_jacobian_matrix(const Vector3& r) {
-  const HalfAngleFactors f = factors_of(r);
-  Matrix3 matrix;
-  for (int k = 0; k < 3; ++k) matrix.col(k) = inverse_right_jacobian(f, r, Vector3::Unit(k));
-  return matrix;
+  JacobianAndTurning result = {Matrix3::Identity(), turning_factors(f)};
+  const double twice = result.turning.sideways;  // of r x (r x v), which is r (r.v) - |r|^2 v
+  result.jacobian += outer_product(twice * r, r) - cross_matrix((0.5 * f.k * f.k) * r);
+  result.jacobian.diagonal().array() -= twice * dot(r, r);
+  return result;
 }
 
 }  // namespace qtraj

@@ -25,7 +25,7 @@ struct Keyframes {
   double (*q_remainder)[4];  // [count], what the rounding left; working space of the constructor
   size_t count;
 
-  UnitQuaternion operator[](size_t key) const;
+  UnitQuaternion operator[](size_t key) const { return {load(q[key]), load(q_remainder[key])}; }
   void set(size_t key, const UnitQuaternion& unit);
   size_t segments() const { return count - 1; }
   // length of segment i

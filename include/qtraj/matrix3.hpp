@@ -33,7 +33,24 @@ inline Matrix3 outer_product(const Vector3& a, const Vector3& b) {
   return matrix;
 }
 
+// Between matrices and plain arrays.
+inline Matrix3 load_matrix(const double (&from)[9]) { return Matrix3(from); }
+inline void store_matrix(const Matrix3& from, double (&to)[9]) {
+  for (int k = 0; k < 9; ++k) to[k] = from.data()[k];
+}
+
 // By cofactors; false where the matrix is singular or close to it: |determinant| <= 1e-12 (largest component)^3.
-bool invert(const Matrix3& matrix, Matrix3& inverse);
+inline bool invert(const Matrix3& matrix, Matrix3& inverse) {
+  const Vector3 a = matrix.col(0), b = matrix.col(1), c = matrix.col(2);
+  const Vector3 bc = cross(b, c);
+  const double determinant = dot(a, bc);
+  const double largest = matrix.cwiseAbs().maxCoeff();
+  if (!(std::abs(determinant) > 1e-12 * largest * largest * largest)) return false;
+  const double scale = 1.0 / determinant;
+  inverse.row(0) = scale * bc;
+  inverse.row(1) = scale * cross(c, a);
+  inverse.row(2) = scale * cross(a, b);
+  return true;
+}
 
 }  // namespace qtraj

@@ -46,14 +46,34 @@ struct TurningFactors {
   double along_once, along_twice, sideways;  // K D/4, (C E - K D)/16, (K^2 - C D)/4
 };
 TurningFactors turning_factors(const Vector3& r);
-Vector3 turning_acceleration(const TurningFactors& factors, const Vector3& r, const Vector3& d);
+inline TurningFactors operator*(double scale, const TurningFactors& f) {
+  return {scale * f.along_once, scale * f.along_twice, scale * f.sideways};
+}
 
-// The matrix of d beta / d d at (r, d).
-Matrix3 turning_jacobian(const TurningFactors& factors, const Vector3& r, const Vector3& d);
+// Jr(r) as a matrix and the factors of beta, together: they share the polynomials. |r| below 1e150.
+struct JacobianAndTurning {
+  Matrix3 jacobian;
+  TurningFactors turning;
+};
+JacobianAndTurning jacobian_and_turning(const Vector3& r);
 
-// Jr(r) and its inverse as matrices.
-Matrix3 right_jacobian_matrix(const Vector3& r);
-Matrix3 inverse_right_jacobian_matrix(const Vector3& r);
+// In both functions beta = a (r.d) r x d + m x (r x d), m = b (r.d) r + s d, with the factors a, b, s in their order.
+inline Vector3 turning_acceleration(const TurningFactors& f, const Vector3& r, const Vector3& d) {
+  const double along = dot(r, d);
+  const Vector3 once = cross(r, d), m = (f.along_twice * along) * r + f.sideways * d;
+  return (f.along_once * along) * once + cross(m, once);
+}
+
+// The matrix of d beta / d d at (r, d): the product rule term by term, with m x (r x v) = r (m.v) - (m.r) v.
+inline Matrix3 turning_jacobian(const TurningFactors& f, const Vector3& r, const Vector3& d) {
+  const double along = dot(r, d);
+  const Vector3 once = cross(r, d), m = (f.along_twice * along) * r + f.sideways * d;
+  const Vector3 by_along = f.along_once * once + f.along_twice * cross(r, once);
+  const Vector3 turn = (f.along_once * along) * r - f.sideways * once;
+  Matrix3 matrix = outer_product(by_along, r) + outer_product(r, m) + cross_matrix(turn);
+  matrix.diagonal().array() -= dot(m, r);
+  return matrix;
+}
 
 // Body to world and back: the same vector in the other frame.
 inline Vector3 to_world(const Quaternion& q_wb, const Vector3& v_body) { return rotate(q_wb, v_body); }

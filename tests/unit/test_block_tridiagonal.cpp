@@ -6,7 +6,6 @@
 
 namespace {
 
-using qtraj::BlockRow;
 using qtraj::Matrix3;
 using qtraj::Vector3;
 
@@ -16,27 +15,43 @@ Matrix3 random_matrix(test::Random& random, double size) {
   return matrix;
 }
 
-std::vector<BlockRow> random_rows(test::Random& random, size_t count) {
-  std::vector<BlockRow> rows(count);
-  for (BlockRow& row : rows) {
+struct Row {
+  Matrix3 lower, diagonal;
+  double upper;
+  Vector3 right;
+};
+
+struct System {
+  std::vector<Row> rows;
+
+  Matrix3 lower(size_t i) const { return rows[i].lower; }
+  Matrix3 diagonal(size_t i) const { return rows[i].diagonal; }
+  double upper(size_t i) const { return rows[i].upper; }
+  Vector3 right(size_t i, const Vector3& before) const { return rows[i].right - rows[i].lower * before; }
+};
+
+System random_system(test::Random& random, size_t count) {
+  System system = {std::vector<Row>(count)};
+  for (Row& row : system.rows) {
     row.lower = random_matrix(random, 0.5);
-    row.upper = random_matrix(random, 0.5);
+    row.upper = random.uniform(-0.5, 0.5);
     row.diagonal = 4.0 * Matrix3::Identity() + random_matrix(random, 0.5);
     row.right = Vector3(random.normal(), random.normal(), random.normal());
   }
-  return rows;
+  return system;
 }
 
 // Storage of a solution, and the largest residual of its equations.
 struct Solution {
-  explicit Solution(size_t count) : x(3 * count), upper(9 * count), column(9 * count) {}
+  explicit Solution(size_t count) : x(3 * count), inverse(9 * count), column(9 * count) {}
   qtraj::BlockSpace space() {
-    return {reinterpret_cast<double(*)[3]>(x.data()), reinterpret_cast<double(*)[9]>(upper.data()),
+    return {reinterpret_cast<double(*)[3]>(x.data()), reinterpret_cast<double(*)[9]>(inverse.data()),
             reinterpret_cast<double(*)[9]>(column.data())};
   }
   Vector3 at(size_t i) const { return {x[3 * i], x[3 * i + 1], x[3 * i + 2]}; }
 
-  double residual(const std::vector<BlockRow>& rows, bool cyclic) const {
+  double residual(const System& system, bool cyclic) const {
+    const std::vector<Row>& rows = system.rows;
     const size_t count = rows.size();
     double largest = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -48,7 +63,7 @@ struct Solution {
     return largest;
   }
 
-  std::vector<double> x, upper, column;
+  std::vector<double> x, inverse, column;
 };
 
 }  // namespace
@@ -56,24 +71,32 @@ struct Solution {
 TEST_CASE("block systems are solved to rounding, tridiagonal and cyclic", "[block_tridiagonal]") {
   test::Random random(1);
   for (size_t count = 2; count <= 12; ++count) {
-    const std::vector<BlockRow> rows = random_rows(random, count);
-    const auto row = [&](size_t i) { return rows[i]; };
+    System system = random_system(random, count);
     CAPTURE(count);
     Solution open(count), closed(count);
-    REQUIRE(qtraj::solve_tridiagonal(count, row, open.space()));
-    CHECK(open.residual(rows, false) <= 1e-14);
-    REQUIRE(qtraj::solve_cyclic(count, row, closed.space()));
-    CHECK(closed.residual(rows, true) <= 1e-14);
+    REQUIRE(qtraj::factorize_tridiagonal(count, system, open.space()));
+    REQUIRE(qtraj::factorize_cyclic(count, system, closed.space()));
+    // the factors serve any right side
+    for (int k = 0; k < 2; ++k) {
+      for (Row& row : system.rows) row.right = Vector3(random.normal(), random.normal(), random.normal());
+      qtraj::solve_tridiagonal(count, system, open.space());
+      CHECK(open.residual(system, false) <= 1e-14);
+      qtraj::solve_cyclic(count, system, closed.space());
+      CHECK(closed.residual(system, true) <= 1e-14);
+    }
   }
 }
 
 TEST_CASE("a singular pivot block is told", "[block_tridiagonal][singular]") {
   test::Random random(2);
-  std::vector<BlockRow> rows = random_rows(random, 3);
-  rows[0].diagonal.row(1) = rows[0].diagonal.row(0);
+  System system = random_system(random, 3);
   Solution solution(3);
-  CHECK_FALSE(qtraj::solve_tridiagonal(
-      3, [&](size_t i) { return rows[i]; }, solution.space()));
+  REQUIRE(qtraj::factorize_cyclic(3, system, solution.space()));
+  system.rows[0].diagonal.row(1) = system.rows[0].diagonal.row(0);
+  CHECK_FALSE(qtraj::factorize_tridiagonal(3, system, solution.space()));
+  system = random_system(random, 3);
+  system.rows[1].diagonal.setZero();
+  CHECK_FALSE(qtraj::factorize_cyclic(3, system, solution.space()));
 }
 
 TEST_CASE("inverses of small matrices are right to rounding", "[block_tridiagonal]") {
