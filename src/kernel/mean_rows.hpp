@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "block_rows.hpp"
+#include "near_one.hpp"
 #include "nearest_log.hpp"
 
 namespace qtraj {
@@ -53,7 +54,11 @@ QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (
 // w q q^T / |q|^2.
 template <class Number>
 QTRAJ_INLINE void scatter_terms(const Number (&q)[4], Number weight, Number (&terms)[10]) {
-  const Number scale = weight / dot<Plain>(q, q);
+  const Number square = dot<Plain>(q, q), excess = square - Number(1.0);
+  const auto is_near = is_near_one(excess);
+  Number inverse = inverse_near_one<Plain>(excess);
+  if (!all(is_near)) inverse = select(is_near, inverse, Number(1.0) / square);
+  const Number scale = weight * inverse;
   size_t at = 0;
   for (size_t row = 0; row < 4; ++row) {
     const Number scaled = scale * q[row];

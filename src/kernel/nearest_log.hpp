@@ -2,7 +2,7 @@
 // either arithmetic. What it promises is in qtraj/log_moments.hpp.
 #pragma once
 
-#include "arithmetic.hpp"
+#include "near_one.hpp"
 
 namespace qtraj {
 namespace {
@@ -38,10 +38,14 @@ QTRAJ_INLINE NearestLogOf<Number> nearest_log_of(const Number (&base)[4], const 
   for (size_t k = 0; k < 3; ++k) at.vector[k] = relative[k + 1];
   const Number square = dot<Plain>(at.vector, at.vector), square_of_q = relative[0] * relative[0] + square;
 
-  // one division for both squares
-  const Number divisor = select(Number(0x1p-700) < square, square, one), quotient = one / (divisor * square_of_q);
-  at.inverse = square_of_q * quotient;
-  const Number inverse_of_q = divisor * quotient, scale = square_root(inverse_of_q);
+  at.inverse = one / select(Number(0x1p-700) < square, square, one);
+  const Number excess = square_of_q - one;
+  const auto is_near = is_near_one(excess);
+  Number inverse_of_q = inverse_near_one<Plain>(excess), scale = inverse_root_near_one<Plain>(excess);
+  if (!all(is_near)) {
+    inverse_of_q = select(is_near, inverse_of_q, one / square_of_q);
+    scale = select(is_near, scale, square_root(inverse_of_q));
+  }
   at.cosine = select(relative[0] < zero, -relative[0], relative[0]) * scale;
   at.sine = square_root(square * inverse_of_q);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "array_rows.hpp"
+#include "near_one.hpp"
 
 namespace qtraj {
 namespace {
@@ -23,11 +24,18 @@ struct UnitWeights {
 };
 template <class Arithmetic, class Number>
 QTRAJ_INLINE UnitWeights<Number> unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest) {
-  // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
-  const Number aa = dot<Arithmetic>(a, a), bb = dot<Arithmetic>(b, b), inverse = Number(1.0) / (aa * bb);
+  const Number one(1.0), aa = dot<Arithmetic>(a, a), bb = dot<Arithmetic>(b, b);
+  const Number a_excess = aa - one, b_excess = bb - one;
   UnitWeights<Number> unit;
-  unit.from_a = square_root(bb * inverse);
-  unit.from_b = square_root(aa * inverse);
+  unit.from_a = inverse_root_near_one<Arithmetic>(a_excess);
+  unit.from_b = inverse_root_near_one<Arithmetic>(b_excess);
+  const auto is_near = is_near_one(a_excess) & is_near_one(b_excess);
+  if (!all(is_near)) {
+    // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
+    const Number inverse = one / (aa * bb);
+    unit.from_a = select(is_near, unit.from_a, square_root(bb * inverse));
+    unit.from_b = select(is_near, unit.from_b, square_root(aa * inverse));
+  }
   unit.cosine = dot<Arithmetic>(a, b) * unit.from_a * unit.from_b;
   if (is_shortest) {
     const auto is_opposed = unit.cosine < Number(0.0);

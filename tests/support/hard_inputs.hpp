@@ -33,11 +33,12 @@ inline Quaternion hard_orientation(Random& random) { return about(hard_direction
 // The same at a hard angle from another.
 inline Quaternion hard_neighbour(Random& random, const Quaternion& q) { return multiply(q, hard_orientation(random)); }
 
-// A norm: 1, close to 1, or down to 10^-decades and up to 10^decades.
+// A norm: 1, close to 1, about as close as kernels take it for 1, or down to 10^-decades and up to 10^decades.
 inline double hard_norm(Random& random, double decades) {
   const double kind = random.uniform(0, 1);
   if (kind < 0.3) return 1.0;
-  if (kind < 0.5) return 1.0 + 1e-4 * random.normal();
+  if (kind < 0.4) return 1.0 + 1e-4 * random.normal();
+  if (kind < 0.5) return 1.0 + 0x1p-20 * random.normal();
   return std::pow(10.0, random.uniform(-decades, decades));
 }
 
