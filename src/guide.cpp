@@ -8,7 +8,7 @@ void build_guide(const double* knots, size_t count, uint64_t* first_candidate, d
   const size_t segments = count - 1, entries = Guide::entries(count);
   // halves: the span may be as large as DBL_MAX
   const double half_span = 0.5 * knots[segments] - 0.5 * knots[0];
-  scale = static_cast<double>(segments) / half_span;
+  scale = 1.5 * static_cast<double>(segments) / half_span;
   const Guide guide = {first_candidate, knots[0], scale, 0};
 
   // a bucket's times lie within 1 of it, and what rounding does to a position, a few eps of it

@@ -1,7 +1,7 @@
-// Which segment a time belongs to, without a search over all knots: the span of the knots is cut into twice as many
-// equal buckets as there are segments, and each bucket tells the first segment that a time in it can belong to. A few
-// halving steps, the same number for every time, do the rest. Exact for any spacing of the knots; uneven spacing costs
-// steps, never more than log2 of the number of segments, rounded up.
+// Which segment a time belongs to, without a search over all knots: the span of the knots is cut into three times
+// as many equal buckets as there are segments, and each bucket tells the first segment that a time in it can belong to.
+// A few halving steps, the same number for every time, do the rest. Exact for any spacing of the knots; uneven spacing
+// costs steps, never more than log2 of the number of segments, rounded up.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,9 @@ struct Guide {
   double scale;                     // buckets per second
   size_t candidates;                // of each bucket, at least 1; all are segments
 
-  // Two for each segment, and two for positions at the end.
-  static constexpr size_t entries(size_t knots) { return 2 * knots; }
+  // Three for each segment, so that the two that a time may come out in span less than one segment of even knots; and
+  // some for positions at the end.
+  static constexpr size_t entries(size_t knots) { return 3 * knots; }
 
   // Time within the knots in units of a bucket.
   double position(double time) const { return (time - start) * scale; }
