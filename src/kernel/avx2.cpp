@@ -17,7 +17,7 @@ const Kernel kAvx2Kernel = {"avx2 fused",
                             clean_upper<sample_batch<Fused, float>>,
                             clean_upper<sample_at<Fused, double>>,
                             clean_upper<sample_at<Fused, float>>,
-                            kRowKernels<Fused, Wide<double>>};
+                            clean_upper_rows<kRowKernels<Fused, Wide<double>>>};
 
 }  // namespace qtraj
 

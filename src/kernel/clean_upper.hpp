@@ -5,6 +5,8 @@
 
 #include <immintrin.h>
 
+#include "kernel.hpp"
+
 namespace qtraj {
 namespace {
 
@@ -22,6 +24,12 @@ struct CleanUpper<function> {
 // The same function, and clean upper halves after it.
 template <auto function>
 constexpr auto clean_upper = CleanUpper<function>::call;
+
+template <const RowKernels& rows>
+constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,           clean_upper<rows.nlerp>,
+                                         clean_upper<rows.rotate>,          clean_upper<rows.normalize>,
+                                         clean_upper<rows.make_continuous>, clean_upper<rows.raise_to_weights>,
+                                         clean_upper<rows.add_scatter>,     clean_upper<rows.add_logs>};
 
 }  // namespace
 }  // namespace qtraj

@@ -64,20 +64,33 @@ size_t unclean_samples(const test::KernelCurve& curve, const test::Request& requ
                  [&] { capi::sample_rates_at(trajectory, request.frame, any[8], &cursor, to.q, to.omega, to.alpha); });
 }
 
-size_t unclean_rows() {
-  constexpr size_t kCount = 21;
+// Few rows are done without vectors.
+size_t unclean_rows(size_t count) {
   test::Random random(2);
-  const test::Keys keys = test::random_walk(random, kCount, 1.0, 0.2, 2.0);
-  const double *q = keys.q.data(), half = 0.5;
-  std::vector<double> vectors(3 * kCount, 1.0), out(4 * kCount), signs = keys.q;
+  const test::Keys keys = test::random_walk(random, count + 1, 1.0, 0.2, 2.0);
+  const std::vector<float> keys_f32(keys.q.begin(), keys.q.end());
+  const double* q = keys.q.data();
+  const float* q_f32 = keys_f32.data();
+  const double half = 0.5;
+  const float half_f32 = 0.5F;
+  const std::vector<double> vectors(3 * count, 1.0), weights(count, 2.0);
+  std::vector<double> out(4 * count), signs = keys.q;
+  std::vector<float> out_f32(4 * count);
   double mean[4];
-  return unclean([&] { qtraj_slerp_pairs(q, q + 4, &half, 1, kCount - 1, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
-                 [&] { qtraj_nlerp_pairs(q, q + 4, &half, 1, kCount - 1, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
-                 [&] { qtraj_rotate(q, kCount, vectors.data(), kCount, kCount, out.data(), nullptr); },
-                 [&] { qtraj_normalize(q, kCount, out.data(), nullptr); },
-                 [&] { qtraj_make_continuous(signs.data(), 1, kCount, signs.data(), nullptr, nullptr); },
-                 [&] { qtraj_mean_eigen(q, nullptr, kCount, mean, nullptr, nullptr); },
-                 [&] { qtraj_mean_karcher(q, nullptr, kCount, 0, 100, mean, nullptr, nullptr, nullptr); });
+  return unclean([&] { qtraj_slerp_pairs(q, q + 4, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+                 [&] {
+                   qtraj_slerp_pairs_f32(q_f32, q_f32 + 4, &half_f32, 1, count, QTRAJ_PATH_AS_GIVEN, out_f32.data(),
+                                         nullptr);
+                 },
+                 [&] { qtraj_nlerp_pairs(q, q + 4, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+                 [&] { qtraj_rotate(q, count, vectors.data(), count, count, out.data(), nullptr); },
+                 [&] { qtraj_rotate(q, 1, vectors.data(), count, count, out.data(), nullptr); },
+                 [&] { qtraj_normalize(q, count, out.data(), nullptr); },
+                 [&] { qtraj_normalize_f32(q_f32, count, out_f32.data(), nullptr); },
+                 [&] { qtraj_make_continuous(signs.data(), 1, count, signs.data(), nullptr, nullptr); },
+                 [&] { qtraj_mean_eigen(q, nullptr, count, mean, nullptr, nullptr); },
+                 [&] { qtraj_mean_eigen(q, weights.data(), count, mean, nullptr, nullptr); },
+                 [&] { qtraj_mean_karcher(q, weights.data(), count, 0, 100, mean, nullptr, nullptr, nullptr); });
 }
 
 }  // namespace
@@ -99,6 +112,6 @@ TEST_CASE("no call leaves the upper halves of vector registers in use", "[kernel
         CHECK(unclean_samples<double>(curve, request) == 0);
         CHECK(unclean_samples<float>(curve, request) == 0);
       }
-    CHECK(unclean_rows() == 0);
+    for (const size_t count : {1u, 3u, 21u}) CHECK(unclean_rows(count) == 0);
   });
 }
