@@ -6,16 +6,20 @@ namespace qtraj {
 namespace {
 
 // Newton's method while it converges at once: a first step of at most half the rates, each later one at most half the
-// one before. Two more steps after the one below 1e-9 reach rounding. After a step below 1e-4 its matrix is kept: each
-// further one still gains as many digits as that step had, at half the price.
+// one before. Two more steps after the one below 1e-9 reach rounding. After a step below 1e-4 its matrix is kept, while
+// steps gain at least two digits each: they cost half as much.
 bool converge(RateEquations& equations, double weight) {
-  constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4;
+  constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4, kGain = 1e-2;
   double allowed = 0.5, size = 1.0;
+  bool keeps_matrix = false;
   while (size >= kSmall) {
-    if (size >= kKeepMatrix && !equations.factorize(weight)) return false;
+    if (!keeps_matrix && !equations.factorize(weight)) return false;
+    const double before = size;
     if (!equations.step(weight, size) || size > std::max(allowed, kSmall)) return false;
     allowed = 0.5 * size;
+    keeps_matrix = size < kKeepMatrix && size <= kGain * before;
   }
+  if (!keeps_matrix && !equations.factorize(weight)) return false;
   return equations.step(weight, size) && equations.step(weight, size);
 }
 

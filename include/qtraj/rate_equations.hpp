@@ -11,8 +11,8 @@ namespace qtraj {
 // The equation of a knot, multiplied by h_before h_after/(4 (h_before + h_after)): its weights are then shares of
 // intervals, right = h_after/(h_before + h_after) and left, and nothing overflows. Its unknown is d_i = A_{i-1} w_i,
 // the rate of the rotation vector at the end of the segment before, instead of w_i = J_i d_i, J_i = Jr(R_{i-1}): what
-// stands above the diagonal is then a number. At the start of an open curve d_0 = w_0, J_0 = 1.
-//   (right/2) J_i J_{i-1} d_{i-1} + J_i d_i + (left/2) d_{i+1} + (right/4) beta(R_{i-1}, d_i)
+// stands above the diagonal is then a number. At the start of an open curve R_{-1} = 0, d_0 = w_0, J_0 = 1.
+//   (right/2) J_i J_{i-1} d_{i-1} + J_i d_i + (left/2) d_{i+1} + (right h_{i-1}/4) beta(R_{i-1}, d_i)
 //     = (3/2) (right R_{i-1}/h_{i-1} + left R_i/h_i).
 // A natural end is the same with the share outside 0 and the other 1; a fixed rate with both 0 and itself on the right.
 struct RateEquation {

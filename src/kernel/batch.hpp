@@ -190,6 +190,7 @@ class Batch {
   // The segments found for a vector of times, and these in units of their segments.
   QTRAJ_INLINE void load_segments(size_t i, WideSegment& wide, Doubles<Real>& scales, Doubles<Real>& x) const {
     if constexpr (std::is_same_v<Real, double>) {
+      static_assert(sizeof(WideSegment) == kFields * sizeof(Time));
       load_fields(i, reinterpret_cast<Time(&)[kFields]>(wide), scales.part[0], x.part[0]);
     } else {
       Time fields[Doubles<Real>::kParts][kFields];
@@ -215,18 +216,18 @@ class Batch {
   QTRAJ_INLINE void sample_lanes(const WideSegment& segment, Number x, const Doubles<Real>& scales, size_t i,
                                  size_t end) {
     const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
-    const bool room = row + kLanes <= count_;
+    const size_t left = count_ - row;
     WideRow<Real> wide;
     evaluator_.sample(segment, x, wide.q);
     if constexpr (kWithRates) {
       Rates<Number> rates;
       evaluator_.sample_rates(segment, x, wanted_.alpha, rates);
       if (!finish_rates<Arithmetic>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
-      if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, room);
-      if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, room);
-      if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, room);
+      if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
+      if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
+      if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);
     } else {
-      write_wide(wide.q, outputs_.q, row, rows, room);
+      write_wide(wide.q, outputs_.q, row, rows, left);
     }
   }
 

@@ -25,7 +25,7 @@ struct RateFactors {
 
 // 4^-doublings.
 template <class Real>
-constexpr Real kFraction[] = {Real(1), Real(0.25), Real(0.0625)};
+constexpr Real kQuarterPower[] = {Real(1), Real(0.25), Real(0.0625)};
 
 // For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x
 // and sinc 2x = cos x sinc x. No square root, no division, and the same branches for all samples of a trajectory.
@@ -37,7 +37,7 @@ QTRAJ_INLINE CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
 template <class Arithmetic, class Number>
 QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
   using Real = Element<Number>;
-  Number z = y * Number(kFraction<Real>[doublings]);
+  Number z = y * Number(kQuarterPower<Real>[doublings]);
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
   for (int step = 0; step < doublings; ++step) {
     f = doubled<Arithmetic>(f, z);
@@ -50,7 +50,7 @@ QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
 template <class Arithmetic, class Number>
 QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings, bool wants_e) {
   using Real = Element<Number>;
-  Number z = y * Number(kFraction<Real>[doublings]);
+  Number z = y * Number(kQuarterPower<Real>[doublings]);
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
   Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
   if (wants_e) e = evaluate<Arithmetic, EHalf>(z);

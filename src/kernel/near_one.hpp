@@ -1,5 +1,5 @@
-// Lengths of quaternions that are unit to rounding, as nearly all are: their inverses by series, without division or
-// root. Others are for the callers, who select lane by lane: the row alone tells which it is.
+// Lengths of quaternions that are unit to the rounding of float, as nearly all are: their inverses by series, without
+// division or root. Others are for the callers, who select lane by lane: the row alone tells which it is.
 #pragma once
 
 #include "arithmetic.hpp"

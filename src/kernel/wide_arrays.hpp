@@ -87,7 +87,7 @@ using BitsTag = hn::RebindToUnsigned<Wide<double>::Tag>;
 
 QTRAJ_INLINE WideMask<double> is_in_order(uint64_t least, hn::Vec<BitsTag> bits, uint64_t past) {
   // as signed integers, which every target compares
-  const hn::RebindToSigned<Wide<double>::Tag> tag;
+  const IndexTag tag;
   const auto value = hn::BitCast(tag, bits);
   const auto at_least = hn::Gt(value, hn::Set(tag, static_cast<int64_t>(least - 1)));
   return {

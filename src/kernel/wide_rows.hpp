@@ -23,23 +23,23 @@ QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
   hn::StoreInterleaved3(v[0].lanes, v[1].lanes, v[2].lanes, typename Wide<Real>::Tag(), to);
 }
 
-// Asks for the lines of memory that a vector some way ahead will be written to: a store outside the caches first reads
-// its line, and processors see late that they should. Past the end of an array this is a hint like any other.
+// Asks for the lines of memory that a vector further on will be written to: a store outside the caches first reads its
+// line, and processors see late that they should.
 QTRAJ_INLINE void prefetch_for_writing(const void* to, size_t bytes) {
 #if defined(__PRFCHW__)
-  constexpr uintptr_t kAhead = 4096, kLine = 64;
-  for (uintptr_t at = 0; at < bytes; at += kLine)
-    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(to) + kAhead + at), 1);
+  constexpr size_t kLine = 64;
+  for (size_t at = 0; at < bytes; at += kLine) __builtin_prefetch(static_cast<const char*>(to) + at, 1);
 #else
   (void)to, (void)bytes;
 #endif
 }
 
-// Writes `rows` <= kLanes rows; all lanes may be written where there is room.
+// Writes `rows` <= kLanes rows; all lanes may be written where as many rows are left of the output from this one on.
 template <class Real, size_t Size>
-QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, size_t rows, bool room) {
-  prefetch_for_writing(to + Size * row, sizeof(Real) * Size * Wide<Real>::kLanes);
-  if (room) return store_interleaved(v, to + Size * row);
+QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, size_t rows, size_t left) {
+  constexpr size_t kLanes = Wide<Real>::kLanes, kRowsAhead = 4096 / (Size * sizeof(Real));
+  if (left >= kRowsAhead + kLanes) prefetch_for_writing(to + Size * (row + kRowsAhead), Size * kLanes * sizeof(Real));
+  if (left >= kLanes) return store_interleaved(v, to + Size * row);
   Real lanes[Size * Wide<Real>::kLanes];
   store_interleaved(v, lanes);
   for (size_t k = 0; k < Size * rows; ++k) to[Size * row + k] = lanes[k];
@@ -58,7 +58,7 @@ QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
 
 // Rates of a segment's parameter to rates in time, by `times` factors of its scale. Magnitudes past kSafeRate, or what
 // float cannot hold, are left to the scalar code, which tells an overflow without making one: those lanes become 0, and
-// it is false.
+// the result is false.
 constexpr double kSafeRate = 0x1p300;
 
 template <class Real>
