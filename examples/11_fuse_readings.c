@@ -46,8 +46,11 @@ static void fuse(void) {
     printf("  %-15s  weight %.2f  off by %.2f degrees\n", sensors[i].name, weights[i], degrees * off[i]);
 }
 
+/* Of several best answers one is written; which one is a matter of rounding, and nothing to print. */
 static void show(const char* what, qtraj_status status, const double q[4]) {
-  printf("  %-20s %.3f %.3f %.3f %.3f  %s\n", what, q[0], q[1], q[2], q[3], qtraj_status_text(status));
+  printf("  %-14s", what);
+  if (status == QTRAJ_OK) printf("%.3f %.3f %.3f %.3f  ", q[0], q[1], q[2], q[3]);
+  printf("%s\n", qtraj_status_text(status));
 }
 
 /* Two readings a half turn apart. From either, the ways to the other by the left and by the right are equally long, so
@@ -65,6 +68,8 @@ static void disagree(void) {
     show("eigen mean", status, mean);
     status = qtraj_mean_karcher(apart[0], weights[i], 2, 0, 50, mean, NULL, NULL, NULL);
     show("Karcher mean", status, mean);
+    printf("  %-14sthis one %.1f and %.1f degrees from the readings\n", "", degrees_between(mean, apart[0]),
+           degrees_between(mean, apart[1]));
   }
 }
 
@@ -84,9 +89,11 @@ int main(void) {
  *     sun and horizon  weight 1.00  off by 1.51 degrees
  *     magnetometer     weight 0.11  off by 4.94 degrees
  *   half a turn apart, weights 1 and 1:
- *     eigen mean           1.000 0.000 0.000 0.000  more than one answer is equally right
- *     Karcher mean         0.707 0.000 0.000 0.707  more than one answer is equally right
+ *     eigen mean    more than one answer is equally right
+ *     Karcher mean  more than one answer is equally right
+ *                   this one 90.0 and 90.0 degrees from the readings
  *   half a turn apart, weights 2 and 1:
- *     eigen mean           1.000 0.000 0.000 0.000  success
- *     Karcher mean         0.866 -0.000 -0.000 -0.500  more than one answer is equally right
+ *     eigen mean    1.000 0.000 0.000 0.000  success
+ *     Karcher mean  more than one answer is equally right
+ *                   this one 60.0 and 120.0 degrees from the readings
  */
