@@ -20,14 +20,14 @@ QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
   return Wide<double>::of({_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, at.raw, from, 8)});
 }
 #elif HWY_TARGET == HWY_AVX2
-QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
-  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
-  return Wide<double>::of({_mm256_mask_i64gather_pd(_mm256_setzero_pd(), from, at.raw, all, 8)});
-}
 QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) {
   const __m256i all = _mm256_set1_epi64x(-1);
   const auto* numbers = reinterpret_cast<const long long*>(from);
   return Indices{_mm256_mask_i64gather_epi64(_mm256_setzero_si256(), numbers, at.raw, all, 8)};
+}
+QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
+  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
+  return Wide<double>::of({_mm256_mask_i64gather_pd(_mm256_setzero_pd(), from, at.raw, all, 8)});
 }
 #else
 QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) { return hn::GatherIndex(IndexTag(), from, at); }
@@ -61,14 +61,14 @@ inline void find_segments(const KnotIndex& index, const double* times, size_t co
 // which is several times faster than to gather field by field.
 constexpr size_t kTransposed = HWY_LANES(double) < 4 ? 2 : 4;
 
-QTRAJ_INLINE void load_transposed(const double* const* records, size_t first, Wide<double>* fields) {
+QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(double)], size_t first,
+                                  Wide<double>* fields) {
   const Wide<double>::Tag tag;
 #if HWY_MAX_BYTES == 16
   const auto row0 = hn::LoadU(tag, records[0] + first), row1 = hn::LoadU(tag, records[1] + first);
   fields[0].lanes = hn::InterleaveLower(tag, row0, row1);
   fields[1].lanes = hn::InterleaveUpper(tag, row0, row1);
-#else
-#if HWY_MAX_BYTES == 32
+#elif HWY_MAX_BYTES == 32
   // two fields of one record and of the next but one
   const hn::Half<Wide<double>::Tag> half;
   const auto pairs = [&](size_t lane, size_t field) {
@@ -93,12 +93,11 @@ QTRAJ_INLINE void load_transposed(const double* const* records, size_t first, Wi
   fields[2].lanes = hn::OddEvenBlocks(even23, hn::SwapAdjacentBlocks(even01));
   fields[3].lanes = hn::OddEvenBlocks(odd23, hn::SwapAdjacentBlocks(odd01));
 #endif
-#endif
 }
 
 // All fields; the last group may overlap the one before, so that nothing past a record is read.
 template <size_t Fields>
-QTRAJ_INLINE void load_records(const double* const* records, Wide<double> (&fields)[Fields]) {
+QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)], Wide<double> (&fields)[Fields]) {
   for (size_t first = 0; first + kTransposed <= Fields; first += kTransposed)
     load_transposed(records, first, fields + first);
   if constexpr (Fields % kTransposed != 0)

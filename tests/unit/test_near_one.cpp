@@ -1,5 +1,7 @@
 // Inverses of lengths near 1, against long double.
+#include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 #include "kernel/near_one.hpp"
 #include "support/catch.hpp"
