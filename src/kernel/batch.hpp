@@ -125,6 +125,14 @@ class Batch {
     return all(all_inside);
   }
 
+  // Asks for times a chunk ahead of a vector's: the next chunk begins with a look at all of them.
+  QTRAJ_INLINE void prefetch_times(size_t row) const {
+    constexpr size_t kLine = 64 / sizeof(double);
+    const double* const times = source_.source().array;
+    if (!times || count_ - row < kChunk + kLanes) return;
+    for (size_t k = 0; k < kLanes; k += kLine) __builtin_prefetch(times + row + kChunk + k);
+  }
+
   // ---- Sorted times: run by run ----
 
   // False, and nothing done, where runs would be too short.
@@ -156,8 +164,8 @@ class Batch {
   void sample_run(size_t segment, size_t begin, size_t end) {
     const Segment& record = segments_[segment];
     const auto* fields = reinterpret_cast<const double*>(&record);
-    const WideSegment wide =
-        read_segment<WideSegment, Number>([&](size_t k) { return Number(static_cast<Real>(fields[k])); });
+    WideSegment wide;
+    read_segment<Number>([&](size_t k) { return Number(static_cast<Real>(fields[k])); }, wide);
     const Time knot(index_.knots[segment]), scale(Evaluator::scale(record)), offset(Evaluator::offset(record));
     Doubles<Real> scales;
     for (Time& part : scales.part) part = scale;
@@ -196,9 +204,7 @@ class Batch {
       Time fields[Doubles<Real>::kParts][kFields];
       for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
         load_fields(i + part * kTimeLanes, fields[part], scales.part[part], x.part[part]);
-      wide = read_segment<WideSegment, Number>([&](size_t k) {
-        return Doubles<Real>{{fields[0][k], fields[1][k]}}.rounded();
-      });
+      read_segment<Number>([&](size_t k) { return Doubles<Real>{{fields[0][k], fields[1][k]}}.rounded(); }, wide);
     }
   }
   QTRAJ_INLINE void load_fields(size_t at, Time (&fields)[kFields], Time& scale, Time& x) const {
@@ -218,15 +224,16 @@ class Batch {
     const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
     const size_t left = count_ - row;
     WideRow<Real> wide;
-    evaluator_.sample(segment, x, wide.q);
+    prefetch_times(row);
     if constexpr (kWithRates) {
       Rates<Number> rates;
-      evaluator_.sample_rates(segment, x, wanted_.alpha, rates);
+      evaluator_.sample_rates(segment, x, wanted_.alpha, wide.q, rates);
       if (!finish_rates<Arithmetic>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
       if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
       if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
       if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);
     } else {
+      evaluator_.sample(segment, x, wide.q);
       write_wide(wide.q, outputs_.q, row, rows, left);
     }
   }

@@ -31,8 +31,10 @@ struct ArcEvaluator : EvaluatorDefaults {
 
   // Per unit of x the body turns by 2 about m* e.
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number, bool, Rates<Number>& rates) const {
+  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number x, bool, Number (&q)[4],
+                                 Rates<Number>& rates) const {
     using Real = Element<Number>;
+    sample(segment, x, q);
     relative_vector_part<Arithmetic>(segment.m, segment.e, rates.omega);
     for (size_t k = 0; k < 3; ++k) {
       rates.omega[k] = Number(Real(2)) * rates.omega[k];

@@ -204,7 +204,7 @@ QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, 
   HalfAngleJet<Number> jet;
   exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
   Rates<Number> inner;
-  exponential_rates<Arithmetic>(jet, 0, wants_alpha, inner);
+  exponential_rates<Arithmetic>(jet, wants_alpha, inner);
 
   // the outer arc's rate seen from behind exp p: turned by its inverse
   Number carried[3];
@@ -237,8 +237,9 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   }
 
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, bool wants_alpha,
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number s, bool wants_alpha, Number (&q)[4],
                                  Rates<Number>& rates) const {
+    sample(segment, s, q);
     const auto near = is_near(segment);
     Rates<Number> close, general;
     clear(close.omega), clear(close.alpha), clear(general.omega), clear(general.alpha);

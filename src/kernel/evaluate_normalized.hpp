@@ -37,9 +37,10 @@ struct NormalizedEvaluator : EvaluatorDefaults {
 
   // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; 0 where p is.
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
                                  Rates<Number>& rates) const {
     using Real = Element<Number>;
+    sample(segment, x, q);
     const Number zero = Number(Real(0)), one = Number(Real(1)), two = Number(Real(2));
     Number p[4], dp[4];
     vector_horner<Arithmetic>(segment.c, x, p);

@@ -20,18 +20,27 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     Number p[3];
     vector_horner<Arithmetic>(segment.c, x, p);
-    turn<Arithmetic>(segment.base, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
+    turn_base(segment, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
+  }
+
+  template <class Number>
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
+                                 Rates<Number>& rates) const {
+    const HalfAngleJet<Number> jet = half_angle_jet<Arithmetic>(segment.c, x);
+    const RateFactors<Number> f = rate_factors<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings_, wants_alpha);
+    turn_base(segment, {f.c, f.k}, jet.p, q);
+    weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
+  }
+
+ private:
+  template <class Number>
+  QTRAJ_INLINE void turn_base(const SegmentOf<Number>& segment, const CosSinc<Number>& f, const Number (&p)[3],
+                              Number (&q)[4]) const {
+    turn<Arithmetic>(segment.base, f, p, q);
     // each doubling doubles the error of the norm
     if (doublings_ > 0) newton_normalize<Arithmetic>(q);
   }
 
-  template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
-                                 Rates<Number>& rates) const {
-    exponential_rates<Arithmetic>(half_angle_jet<Arithmetic>(segment.c, x), doublings_, wants_alpha, rates);
-  }
-
- private:
   int doublings_;
 };
 
@@ -52,8 +61,9 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   }
 
   template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha,
+  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
                                  Rates<Number>& rates) const {
+    sample(segment, x, q);
     exponential_rates_any<Arithmetic>(half_angle_jet<Arithmetic>(segment.c, x), wants_alpha, rates);
   }
 };

@@ -3,9 +3,9 @@
 //   scale(segment), offset(segment)
 //                              its parameter is x = (t - t_i) scale - offset; rates per unit of x take scale to time
 //   sample(segment, x, q)      orientation
-//   sample_rates(segment, x, wants_alpha, rates)
-//                              rates in the body frame, per unit of x; alpha where it is wanted, which the caller knows
-//                              for all samples at once
+//   sample_rates(segment, x, wants_alpha, q, rates)
+//                              the same orientation, and rates in the body frame, per unit of x; alpha where it is
+//                              wanted, which the caller knows for all samples at once
 #pragma once
 
 #include "motion.hpp"

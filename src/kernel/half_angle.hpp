@@ -55,7 +55,7 @@ QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings, bool want
   Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
   if (wants_e) e = evaluate<Arithmetic, EHalf>(z);
   for (int step = 0; step < doublings; ++step) {
-    e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, e, Number(Real(3)) * d * f.k);
+    if (wants_e) e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, e, Number(Real(3)) * d * f.k);
     d = Number(Real(0.25)) * Arithmetic::multiply_add(f.c, d, f.k * f.k);
     f = doubled<Arithmetic>(f, z);
     z = Number(Real(4)) * z;
@@ -137,21 +137,18 @@ QTRAJ_INLINE void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)
   }
 }
 
-// For |p| <= 2^doublings pi/2.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE RateWeights<Number> rate_weights(Number y, int doublings, bool wants_alpha) {
-  const RateFactors<Number> f = rate_factors<Arithmetic>(y, doublings, wants_alpha);
+QTRAJ_INLINE RateWeights<Number> rate_weights(const RateFactors<Number>& f) {
   const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * f.d));
   return {-(f.k * f.k), twice, twice, Number(Element<Number>(2)) * f.k * f.d,
           Arithmetic::multiply_add(f.c, f.e, -(f.k * f.d))};
 }
 
-// Body rates of exp p for |p| <= 2^doublings pi/2.
+// Body rates of exp p for |p| <= pi/2.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, int doublings, bool wants_alpha,
-                                    Rates<Number>& rates) {
-  const RateWeights<Number> weights = rate_weights<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings, wants_alpha);
-  weigh_rates<Arithmetic>(jet, jet.p, weights, wants_alpha, rates);
+QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
+  const RateFactors<Number> f = rate_factors<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0, wants_alpha);
+  weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
 }
 
 // For any |p| below 2^500; Number of double.
@@ -160,7 +157,8 @@ QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wa
   const Number zero(0.0), one(1.0), two(2.0), three(3.0);
   const Number y = dot<Arithmetic>(jet.p, jet.p);
   const auto is_short = y <= Number(kPolynomialLimit);
-  const RateWeights<Number> near = rate_weights<Arithmetic>(select(is_short, y, zero), 0, wants_alpha);
+  const RateWeights<Number> near =
+      rate_weights<Arithmetic>(rate_factors<Arithmetic>(select(is_short, y, zero), 0, wants_alpha));
 
   const Number length = select(is_short, one, square_root(y));
   const SinCosOf<Number> at = sin_cos_of(length);

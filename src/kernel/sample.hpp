@@ -22,15 +22,14 @@ const Segment* segments_of(const Trajectory& trajectory) {
 }
 
 // A segment's fields as other numbers: `read` makes each from its place in the row. Segments hold nothing but values of
-// one type. The first field, the scale of time, is left out: it may be past the range of float.
-template <class To, class Value, class Read>
-To read_segment(const Read& read) {
+// one type. The first field, the scale of time, is left out: it may be past the range of float. Written in place: a
+// copy of vectors goes through memory.
+template <class Value, class To, class Read>
+void read_segment(const Read& read, To& segment) {
   static_assert(std::is_standard_layout_v<To> && sizeof(To) % sizeof(Value) == 0);
-  To segment;
   auto* fields = reinterpret_cast<Value*>(&segment);
   fields[0] = Value(Element<Value>(0));
   for (size_t k = 1; k < sizeof(To) / sizeof(Value); ++k) fields[k] = read(k);
-  return segment;
 }
 
 // Samples one trajectory of one kind, with rates or without.
@@ -72,14 +71,16 @@ class Sampler {
     const Work x = static_cast<Work>(parameter<Arithmetic>(elapsed, scale, Evaluator::offset(record)));
     const auto& fields = as_work(record);
     Work q[4];
-    evaluator_.sample(fields, x, q);
-    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
+    bool safe = true;
     if constexpr (kWithRates) {
       Rates<Work> rates;
-      evaluator_.sample_rates(fields, x, wanted_.alpha, rates);
-      if (!finish_rates<Arithmetic>(q, rates, scale, wanted_, row)) return Status::not_finite;
+      evaluator_.sample_rates(fields, x, wanted_.alpha, q, rates);
+      safe = finish_rates<Arithmetic>(q, rates, scale, wanted_, row);
+    } else {
+      evaluator_.sample(fields, x, q);
     }
-    return Status::ok;
+    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
+    return safe ? Status::ok : Status::not_finite;
   }
 
  private:
@@ -88,8 +89,9 @@ class Sampler {
       return (segment);
     } else {
       const auto* fields = reinterpret_cast<const double*>(&segment);
-      return read_segment<typename Evaluator::template SegmentOf<Work>, Work>(
-          [&](size_t k) { return static_cast<Work>(fields[k]); });
+      typename Evaluator::template SegmentOf<Work> work;
+      read_segment<Work>([&](size_t k) { return static_cast<Work>(fields[k]); }, work);
+      return work;
     }
   }
 

@@ -1,8 +1,8 @@
 // Rows of samples side by side: rates in time, and how they are written.
 #pragma once
 
+#include "interleave.hpp"
 #include "rows.hpp"
-#include "wide.hpp"
 
 namespace qtraj {
 namespace {
@@ -11,17 +11,6 @@ template <class Real>
 struct WideRow {
   Wide<Real> q[4], omega[3], alpha[3];
 };
-
-QTRAJ_INLINE void store_interleaved(const Wide<double> (&v)[4], double* to) {
-  hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, Wide<double>::Tag(), to);
-}
-QTRAJ_INLINE void store_interleaved(const Wide<float> (&v)[4], float* to) {
-  hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, Wide<float>::Tag(), to);
-}
-template <class Real>
-QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
-  hn::StoreInterleaved3(v[0].lanes, v[1].lanes, v[2].lanes, typename Wide<Real>::Tag(), to);
-}
 
 // Asks for the lines of memory that a vector further on will be written to: a store outside the caches first reads its
 // line, and processors see late that they should.
