@@ -228,7 +228,7 @@ class Batch {
     if constexpr (kWithRates) {
       Rates<Number> rates;
       evaluator_.sample_rates(segment, x, wanted_.alpha, wide.q, rates);
-      if (!finish_rates<Arithmetic>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
+      if (!finish_rates<Arithmetic, Evaluator::kSmallRates>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
       if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
       if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
       if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);

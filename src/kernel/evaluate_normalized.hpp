@@ -22,6 +22,8 @@ struct NormalizedEvaluator : EvaluatorDefaults {
   template <class Real>
   using Working = std::conditional_t<AlwaysDouble, double, Real>;
 
+  static constexpr bool kSmallRates = false;  // the polynomial may come close to 0
+
   // The identity where the polynomial passes through 0.
   template <class Number>
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {

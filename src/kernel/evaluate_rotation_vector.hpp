@@ -20,27 +20,22 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
     Number p[3];
     vector_horner<Arithmetic>(segment.c, x, p);
-    turn_base(segment, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
+    turn<Arithmetic>(segment.base, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
   }
 
   template <class Number>
   QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
                                  Rates<Number>& rates) const {
     const HalfAngleJet<Number> jet = half_angle_jet<Arithmetic>(segment.c, x);
-    const RateFactors<Number> f = rate_factors<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), doublings_, wants_alpha);
-    turn_base(segment, {f.c, f.k}, jet.p, q);
+    const Number y = dot<Arithmetic>(jet.p, jet.p);
+    const RateFactors<Number> f = rate_factors<Arithmetic>(y, doublings_, wants_alpha);
+    CosSinc<Number> of_unit = {f.c, f.k};
+    if (doublings_ > 0) normalize_doubled<Arithmetic>(y, of_unit.c, of_unit.k);
+    turn<Arithmetic>(segment.base, of_unit, jet.p, q);
     weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
   }
 
  private:
-  template <class Number>
-  QTRAJ_INLINE void turn_base(const SegmentOf<Number>& segment, const CosSinc<Number>& f, const Number (&p)[3],
-                              Number (&q)[4]) const {
-    turn<Arithmetic>(segment.base, f, p, q);
-    // each doubling doubles the error of the norm
-    if (doublings_ > 0) newton_normalize<Arithmetic>(q);
-  }
-
   int doublings_;
 };
 
@@ -51,6 +46,8 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   using SegmentOf = RotationVectorSegment<Degree, Value>;
   template <class Real>
   using Working = double;
+
+  static constexpr bool kSmallRates = false;
 
   template <class Number>
   QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {

@@ -22,6 +22,10 @@ struct EvaluatorDefaults {
   // Whether the offset is the second field of the segment, rather than 1. The scale is the first.
   static constexpr bool kHasOffset = false;
 
+  // Whether rates per unit of x are below 2^400 in all segments, so that a scale of at most 2^300 takes none of them
+  // out of range.
+  static constexpr bool kSmallRates = true;
+
   template <class Segment>
   static double scale(const Segment& segment) {
     return segment.scale;

@@ -27,22 +27,34 @@ struct RateFactors {
 template <class Real>
 constexpr Real kQuarterPower[] = {Real(1), Real(0.25), Real(0.0625)};
 
-// For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, then cos 2x = 1 - 2 sin^2 x
-// and sinc 2x = cos x sinc x. No square root, no division, and the same branches for all samples of a trajectory.
+// From x with z = x^2 to 2x: cos 2x = 1 - 2 z sinc^2 x, sinc 2x = cos x sinc x.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE CosSinc<Number> doubled(const CosSinc<Number>& f, Number z) {
+QTRAJ_INLINE void double_angle(Number sinc_squared, Number& c, Number& k, Number& minus_two_z) {
   using Real = Element<Number>;
-  return {Arithmetic::multiply_add(Number(Real(-2)) * z * f.k, f.k, Number(Real(1))), f.c * f.k};
+  k = c * k;
+  c = Arithmetic::multiply_add(minus_two_z, sinc_squared, Number(Real(1)));
+  minus_two_z = Number(Real(4)) * minus_two_z;
 }
+// Each doubling doubles the error of c^2 + y k^2, which is 1: one Newton step.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void normalize_doubled(Number y, Number& c, Number& k) {
+  using Real = Element<Number>;
+  const Number square = Arithmetic::multiply_add(y * k, k, c * c);
+  const Number factor = Arithmetic::multiply_add(Number(Real(-0.5)), square, Number(Real(1.5)));
+  c = c * factor;
+  k = k * factor;
+}
+
+// For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, which is then doubled. No
+// square root, no division, and the same branches for all samples of a trajectory.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
   using Real = Element<Number>;
-  Number z = y * Number(kQuarterPower<Real>[doublings]);
+  const Number z = y * Number(kQuarterPower<Real>[doublings]);
   CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
-  for (int step = 0; step < doublings; ++step) {
-    f = doubled<Arithmetic>(f, z);
-    z = Number(Real(4)) * z;
-  }
+  Number minus_two_z = Number(Real(-2)) * z;
+  for (int step = 0; step < doublings; ++step) double_angle<Arithmetic>(f.k * f.k, f.c, f.k, minus_two_z);
+  if (doublings > 0) normalize_doubled<Arithmetic>(y, f.c, f.k);
   return f;
 }
 
@@ -50,17 +62,18 @@ QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
 template <class Arithmetic, class Number>
 QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings, bool wants_e) {
   using Real = Element<Number>;
-  Number z = y * Number(kQuarterPower<Real>[doublings]);
-  CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
-  Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
-  if (wants_e) e = evaluate<Arithmetic, EHalf>(z);
+  const Number z = y * Number(kQuarterPower<Real>[doublings]);
+  RateFactors<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z),
+                           evaluate<Arithmetic, DHalf>(z), Number(Real(0))};
+  if (wants_e) f.e = evaluate<Arithmetic, EHalf>(z);
+  Number minus_two_z = Number(Real(-2)) * z;
   for (int step = 0; step < doublings; ++step) {
-    if (wants_e) e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, e, Number(Real(3)) * d * f.k);
-    d = Number(Real(0.25)) * Arithmetic::multiply_add(f.c, d, f.k * f.k);
-    f = doubled<Arithmetic>(f, z);
-    z = Number(Real(4)) * z;
+    const Number sinc_squared = f.k * f.k;
+    if (wants_e) f.e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, f.e, Number(Real(3)) * f.d * f.k);
+    f.d = Number(Real(0.25)) * Arithmetic::multiply_add(f.c, f.d, sinc_squared);
+    double_angle<Arithmetic>(sinc_squared, f.c, f.k, minus_two_z);
   }
-  return {f.c, f.k, d, e};
+  return f;
 }
 
 // For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as

@@ -47,20 +47,21 @@ QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
 
 // Rates of a segment's parameter to rates in time, by `times` factors of its scale. Magnitudes past kSafeRate, or what
 // float cannot hold, are left to the scalar code, which tells an overflow without making one: those lanes become 0, and
-// the result is false.
+// the result is false. Small rates (evaluator.hpp) are not looked at: for a whole run the scale alone decides.
 constexpr double kSafeRate = 0x1p300;
 
-template <class Real>
+template <bool kSmallRates, class Real>
 QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>& scale, int times,
                               Wide<Real> (&scaled)[3]) {
   Doubles<Real> values[3] = {Doubles<Real>::of(rates[0]), Doubles<Real>::of(rates[1]), Doubles<Real>::of(rates[2])};
   bool safe = true;
   for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
-    Wide<double> factors[4] = {values[0].part[part], values[1].part[part], values[2].part[part], scale.part[part]};
-    safe = limit_lanes(kSafeRate, factors) && safe;
-    Wide<double> products[3] = {factors[0], factors[1], factors[2]};
+    Wide<double> products[3] = {values[0].part[part], values[1].part[part], values[2].part[part]};
+    Wide<double> factor[1] = {scale.part[part]};
+    if (!kSmallRates) safe = limit_lanes(kSafeRate, products) && safe;
+    safe = limit_lanes(kSafeRate, factor) && safe;
     for (int step = 0; step < times; ++step)
-      for (Wide<double>& product : products) product = product * factors[3];
+      for (Wide<double>& product : products) product = product * factor[0];
     if (sizeof(Real) < sizeof(double)) safe = limit_lanes(largest_of<Real>(), products) && safe;
     for (size_t k = 0; k < 3; ++k) values[k].part[part] = products[k];
   }
@@ -69,15 +70,15 @@ QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>&
 }
 
 // Takes body rates to time and frame; false where a lane must be done again.
-template <class Arithmetic, class Real>
+template <class Arithmetic, bool kSmallRates, class Real>
 QTRAJ_INLINE bool finish_rates(const Wide<Real> (&q)[4], Rates<Wide<Real>>& rates, const Doubles<Real>& scale,
                                const Wanted& wanted, WideRow<Real>& row) {
   if (wanted.frame == Frame::world) {
     rotate_to_world<Arithmetic>(q, rates.omega);
     if (wanted.alpha) rotate_to_world<Arithmetic>(q, rates.alpha);
   }
-  const bool omega_is_safe = !wanted.omega || scale_rates(rates.omega, scale, 1, row.omega);
-  const bool alpha_is_safe = !wanted.alpha || scale_rates(rates.alpha, scale, 2, row.alpha);
+  const bool omega_is_safe = !wanted.omega || scale_rates<kSmallRates>(rates.omega, scale, 1, row.omega);
+  const bool alpha_is_safe = !wanted.alpha || scale_rates<kSmallRates>(rates.alpha, scale, 2, row.alpha);
   return omega_is_safe && alpha_is_safe;
 }
 
