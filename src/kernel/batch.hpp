@@ -5,16 +5,13 @@
 // overflow) are done again one at a time.
 #pragma once
 
+#include "chunk_times.hpp"
 #include "sample.hpp"
 #include "wide_rows.hpp"
 #include "wide_segments.hpp"
 
 namespace qtraj {
 namespace {
-
-constexpr size_t kChunk = 512;
-// Samples of a segment from which a run is worth its setting up, in vectors.
-constexpr size_t kLeastRun = 2;
 
 template <class Evaluator, class Arithmetic, class Real, bool kWithRates>
 class Batch {
@@ -27,6 +24,7 @@ class Batch {
         index_(knot_index(trajectory)),
         segments_(segments_of<Segment>(trajectory)),
         source_(source),
+        times_(source, count),
         count_(count),
         outputs_(outputs) {}
 
@@ -36,8 +34,8 @@ class Batch {
       const size_t rows = count_ - first_row_ < kChunk ? count_ - first_row_ : kChunk;
       bool all_inside = true;
       has_marks_ = false;
-      if (!find_sorted_times(rows) || !sample_runs(rows, cursor)) {
-        all_inside = clamp_times(rows);
+      if (!times_.read(first_row_, rows) || !sample_runs(cursor)) {
+        all_inside = times_.clamp(index_.knots[0], index_.knots[index_.segments]);
         sample_staged(rows);
       }
       if (!all_inside || has_marks_) sample_again(rows, cursor, outcome);
@@ -53,114 +51,25 @@ class Batch {
   static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;
   static constexpr size_t kFields = sizeof(Segment) / sizeof(double);
 
-  // ---- Times ----
-
-  // Points times_ to the times of the chunk. Whether all are within the knots and none is before the one before it.
-  bool find_sorted_times(size_t rows) {
-    if (source_.source().array) {
-      times_ = source_.source().array + first_row_;
-    } else {
-      generate_times(rows);
-      times_ = buffer_;
-    }
-    return all_finite(rows) && times_[0] >= index_.knots[0] && times_[rows - 1] <= index_.knots[index_.segments] &&
-           is_sorted(rows);
-  }
-
-  void generate_times(size_t rows) {
-    if (!source_.is_plain_uniform()) {
-      for (size_t i = 0; i < rows; ++i) buffer_[i] = source_[first_row_ + i];
-      return;
-    }
-    const Time start(source_.source().start), step(source_.source().step);
-    const Time first(static_cast<double>(first_row_));
-    for (size_t i = 0; i < rows; i += kTimeLanes) {
-      const Time row = first + Time::of(hn::Iota(Time::Tag(), static_cast<double>(i)));
-      (start + row * step).store(buffer_ + i);
-    }
-  }
-
-  // Told by the bits: a comparison with NaN would raise FE_INVALID.
-  QTRAJ_INLINE static WideMask<double> is_not_finite(Time time) {
-    const hn::RebindToUnsigned<Time::Tag> bits;
-    const auto exponent = hn::Set(bits, 0x7ff0000000000000u);
-    return {hn::RebindMask(Time::Tag(), hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent))};
-  }
-
-  bool all_finite(size_t rows) const {
-    WideMask<double> none = Time(1.0) <= Time(0.0), not_finite = none;
-    size_t i = 0;
-    for (; i + kTimeLanes <= rows; i += kTimeLanes) not_finite = not_finite | is_not_finite(Time::load(times_ + i));
-    bool finite = !any(not_finite);
-    for (; i < rows; ++i) finite = finite && is_finite(times_[i]);
-    return finite;
-  }
-
-  // Finite times.
-  bool is_sorted(size_t rows) const {
-    WideMask<double> sorted = Time(0.0) <= Time(0.0);
-    size_t i = 0;
-    for (; i + kTimeLanes < rows; i += kTimeLanes)
-      sorted = sorted & (Time::load(times_ + i) <= Time::load(times_ + i + 1));
-    bool rest = true;
-    for (; i + 1 < rows; ++i) rest = rest && times_[i] <= times_[i + 1];
-    return rest && all(sorted);
-  }
-
-  // Copies the times to the buffer, where those outside the knots or not finite become the first knot, and the last
-  // vector is filled. Whether all were inside.
-  bool clamp_times(size_t rows) {
-    const Time first(index_.knots[0]), last(index_.knots[index_.segments]);
-    if (times_ != buffer_) std::memcpy(buffer_, times_, rows * sizeof(double));
-    for (size_t i = rows; i < rows + kLanes; ++i) buffer_[i] = index_.knots[0];
-    times_ = buffer_;
-    WideMask<double> all_inside = first <= first;
-    for (size_t i = 0; i < rows; i += kTimeLanes) {
-      const Time time = Time::load(buffer_ + i);
-      const Time finite = select(is_not_finite(time), Time(-kLargest), time);
-      const WideMask<double> inside = (first <= finite) & (finite <= last);
-      all_inside = all_inside & inside;
-      select(inside, finite, first).store(buffer_ + i);
-    }
-    return all(all_inside);
-  }
-
-  // Asks for times a chunk ahead of a vector's: the next chunk begins with a look at all of them.
-  QTRAJ_INLINE void prefetch_times(size_t row) const {
-    constexpr size_t kLine = 64 / sizeof(double);
-    const double* const times = source_.source().array;
-    if (!times || count_ - row < kChunk + kLanes) return;
-    for (size_t k = 0; k < kLanes; k += kLine) __builtin_prefetch(times + row + kChunk + k);
-  }
-
   // ---- Sorted times: run by run ----
 
-  // False, and nothing done, where runs would be too short.
-  bool sample_runs(size_t rows, size_t& cursor) {
+  // False, and nothing done, where runs would be shorter than a vector or times are outside the knots.
+  bool sample_runs(size_t& cursor) {
+    const size_t rows = times_.rows();
+    if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;
     const size_t first = find_segment(index_, times_[0], cursor);
     const size_t last = find_segment(index_, times_[rows - 1], first);
     cursor = last;
-    if ((last - first) * kLeastRun * kLanes >= rows) return false;
+    if ((last - first) * kLanes >= rows) return false;
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {
-      const size_t end = segment == last ? rows : first_at_or_after(index_.knots[segment + 1], begin, rows);
+      const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
       if (begin < end) sample_run(segment, begin, end);
       begin = end;
     }
     return true;
   }
 
-  // First of the sorted times in [begin, end) that is not before a knot.
-  size_t first_at_or_after(double knot, size_t begin, size_t end) const {
-    while (begin < end) {
-      const size_t middle = begin + (end - begin) / 2;
-      if (times_[middle] < knot)
-        begin = middle + 1;
-      else
-        end = middle;
-    }
-    return begin;
-  }
-
+  // The times from `begin` to `end`.
   void sample_run(size_t segment, size_t begin, size_t end) {
     const Segment& record = segments_[segment];
     const auto* fields = reinterpret_cast<const double*>(&record);
@@ -171,9 +80,9 @@ class Batch {
     for (Time& part : scales.part) part = scale;
     double rest[kLanes];
     for (size_t i = begin; i < end; i += kLanes) {
-      const double* times = times_ + i;
+      const double* times = times_.from(i);
       if (end - i < kLanes) {
-        for (size_t k = 0; k < kLanes; ++k) rest[k] = times_[i + k < end ? i + k : end - 1];
+        times_.fill_up(i, end, rest);
         times = rest;
       }
       Doubles<Real> x;
@@ -186,7 +95,7 @@ class Batch {
   // ---- Other times: a segment for each lane ----
 
   void sample_staged(size_t rows) {
-    find_segments(index_, times_, rows + kLanes - kTimeLanes, found_);
+    find_segments(index_, times_.from(0), rows + kLanes - kTimeLanes, found_);
     for (size_t i = 0; i < rows; i += kLanes) {
       WideSegment wide;
       Doubles<Real> x, scales;
@@ -214,7 +123,7 @@ class Batch {
     load_records(records, fields);
     scale = fields[0];
     const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
-    x = parameter<Arithmetic>(Time::load(times_ + at) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
+    x = parameter<Arithmetic>(Time::load(times_.from(at)) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
   }
 
   // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and
@@ -224,7 +133,7 @@ class Batch {
     const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
     const size_t left = count_ - row;
     WideRow<Real> wide;
-    prefetch_times(row);
+    times_.prefetch(i);
     if constexpr (kWithRates) {
       Rates<Number> rates;
       evaluator_.sample_rates(segment, x, wanted_.alpha, wide.q, rates);
@@ -261,15 +170,14 @@ class Batch {
   const KnotIndex index_;
   const Segment* segments_;
   const TimeReader& source_;
+  ChunkTimes<kLanes> times_;
   const size_t count_;
   const SampleOutputs<Real>& outputs_;
 
   // Of the chunk.
   size_t first_row_ = 0;
-  const double* times_ = nullptr;  // the caller's, or in buffer_
-  bool has_marks_ = false;         // some row inside the knots is marked to be done again
+  bool has_marks_ = false;  // some row inside the knots is marked to be done again
   bool marked_[kChunk];
-  double buffer_[kChunk + kLanes];
   int64_t found_[kChunk + kLanes];  // segments of the times
 };
 

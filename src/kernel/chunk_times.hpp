@@ -1,0 +1,140 @@
+// The times of a chunk of a batch: read or made, checked, and brought into vectors.
+#pragma once
+
+#include <cstring>
+
+#include "times.hpp"
+#include "wide.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr size_t kChunk = 512;
+
+// kLanes: how many samples are done at once, one vector of times or several.
+template <size_t kLanes>
+class ChunkTimes {
+ public:
+  ChunkTimes(const TimeReader& source, size_t count) : source_(source), count_(count) {}
+
+  // The times of the rows from `first_row` on. Whether all are finite and none is before the one before it.
+  bool read(size_t first_row, size_t rows) {
+    first_row_ = first_row;
+    rows_ = rows;
+    if (source_.source().array) {
+      times_ = source_.source().array + first_row;
+    } else {
+      generate();
+      times_ = buffer_;
+    }
+    return all_finite() && is_sorted();
+  }
+
+  size_t rows() const { return rows_; }
+  double operator[](size_t i) const { return times_[i]; }
+  const double* from(size_t i) const { return times_ + i; }
+
+  // Copies the times to the buffer, where those outside the knots or not finite become the first knot, and the last
+  // vector is filled. Whether all were inside.
+  bool clamp(double first_knot, double last_knot) {
+    const Time first(first_knot), last(last_knot);
+    if (times_ != buffer_) std::memcpy(buffer_, times_, rows_ * sizeof(double));
+    for (size_t i = rows_; i < rows_ + kLanes; ++i) buffer_[i] = first_knot;
+    times_ = buffer_;
+    WideMask<double> all_inside = first <= first;
+    for (size_t i = 0; i < rows_; i += kTimeLanes) {
+      const Time time = Time::load(buffer_ + i);
+      const Time finite = select(is_not_finite(time), Time(-kLargest), time);
+      const WideMask<double> inside = (first <= finite) & (finite <= last);
+      all_inside = all_inside & inside;
+      select(inside, finite, first).store(buffer_ + i);
+    }
+    return all(all_inside);
+  }
+
+  // First of the sorted times in [begin, rows) that is not before a knot. Vector by vector: where it is asked for often
+  // it is near, and halving steps would be guessed wrong.
+  size_t first_at_or_after(double knot, size_t begin) const {
+    const Time limit(knot);
+    for (; rows_ - begin >= kTimeLanes; begin += kTimeLanes) {
+      const size_t before = hn::CountTrue(Time::Tag(), (Time::load(times_ + begin) < limit).lanes);
+      if (before < kTimeLanes) return begin + before;
+    }
+    while (begin < rows_ && times_[begin] < knot) ++begin;
+    return begin;
+  }
+
+  // The sorted times from `begin` to `end`, fewer than kLanes, filled up with the last of them. Written as vectors
+  // where so many times are left of the chunk: a load would wait until single numbers are in the cache.
+  void fill_up(size_t begin, size_t end, double (&filled)[kLanes]) const {
+    if (rows_ - begin < kLanes) {
+      for (size_t k = 0; k < kLanes; ++k) filled[k] = times_[begin + k < end ? begin + k : end - 1];
+      return;
+    }
+    const Time last(times_[end - 1]);
+    for (size_t k = 0; k < kLanes; k += kTimeLanes)
+      Time::of(hn::Min(Time::load(times_ + begin + k).lanes, last.lanes)).store(filled + k);
+  }
+
+  // Asks for the times a chunk ahead of a vector's: the next chunk begins with a look at all of them.
+  QTRAJ_INLINE void prefetch(size_t i) const {
+    constexpr size_t kLine = 64 / sizeof(double);
+    const double* const times = source_.source().array;
+    const size_t row = first_row_ + i;
+    if (!times || count_ - row < kChunk + kLanes) return;
+    for (size_t k = 0; k < kLanes; k += kLine) __builtin_prefetch(times + row + kChunk + k);
+  }
+
+ private:
+  using Time = Wide<double>;
+  static constexpr size_t kTimeLanes = Time::kLanes;
+
+  void generate() {
+    if (!source_.is_plain_uniform()) {
+      for (size_t i = 0; i < rows_; ++i) buffer_[i] = source_[first_row_ + i];
+      return;
+    }
+    const Time start(source_.source().start), step(source_.source().step);
+    const Time first(static_cast<double>(first_row_));
+    for (size_t i = 0; i < rows_; i += kTimeLanes) {
+      const Time row = first + Time::of(hn::Iota(Time::Tag(), static_cast<double>(i)));
+      (start + row * step).store(buffer_ + i);
+    }
+  }
+
+  // Told by the bits: a comparison with NaN would raise FE_INVALID.
+  QTRAJ_INLINE static WideMask<double> is_not_finite(Time time) {
+    const hn::RebindToUnsigned<Time::Tag> bits;
+    const auto exponent = hn::Set(bits, 0x7ff0000000000000u);
+    return {hn::RebindMask(Time::Tag(), hn::Eq(hn::And(hn::BitCast(bits, time.lanes), exponent), exponent))};
+  }
+
+  bool all_finite() const {
+    WideMask<double> none = Time(1.0) <= Time(0.0), not_finite = none;
+    size_t i = 0;
+    for (; i + kTimeLanes <= rows_; i += kTimeLanes) not_finite = not_finite | is_not_finite(Time::load(times_ + i));
+    bool finite = !any(not_finite);
+    for (; i < rows_; ++i) finite = finite && is_finite(times_[i]);
+    return finite;
+  }
+
+  // Finite times.
+  bool is_sorted() const {
+    WideMask<double> sorted = Time(0.0) <= Time(0.0);
+    size_t i = 0;
+    for (; i + kTimeLanes < rows_; i += kTimeLanes)
+      sorted = sorted & (Time::load(times_ + i) <= Time::load(times_ + i + 1));
+    bool rest = true;
+    for (; i + 1 < rows_; ++i) rest = rest && times_[i] <= times_[i + 1];
+    return rest && all(sorted);
+  }
+
+  const TimeReader& source_;
+  const size_t count_;
+  size_t first_row_ = 0, rows_ = 0;
+  const double* times_ = nullptr;  // the caller's, or in buffer_
+  double buffer_[kChunk + kLanes];
+};
+
+}  // namespace
+}  // namespace qtraj
