@@ -47,8 +47,14 @@ class Batch {
   using Segment = typename Evaluator::template SegmentOf<double>;
   using WideSegment = typename Evaluator::template SegmentOf<Wide<Real>>;
   using Number = Wide<Real>;
+  using Begun = typename Evaluator::template Begun<Number>;
   using Time = Wide<double>;
   static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;
+  using RunTask = EvaluatorTask<kWithRates, true>;
+  using StagedTask = EvaluatorTask<kWithRates, false>;
+  // Vectors of a run that are begun before the first of them is finished: each step of a sample waits for the one
+  // before, and a processor has too few instructions under way to fill that time with the next vector's.
+  static constexpr size_t kGroup = Evaluator::template kInTwoSteps<kWithRates> ? 32 / kTimeLanes : 1;
   static constexpr size_t kFields = sizeof(Segment) / sizeof(double);
 
   // ---- Sorted times: run by run ----
@@ -79,7 +85,7 @@ class Batch {
     Doubles<Real> scales;
     for (Time& part : scales.part) part = scale;
     double rest[kLanes];
-    for (size_t i = begin; i < end; i += kLanes) {
+    const auto begin_at = [&](size_t i, Begun& begun) {
       const double* times = times_.from(i);
       if (end - i < kLanes) {
         times_.fill_up(i, end, rest);
@@ -88,7 +94,17 @@ class Batch {
       Doubles<Real> x;
       for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
         x.part[part] = parameter<Arithmetic>(Time::load(times + part * kTimeLanes) - knot, scale, offset);
-      sample_lanes(wide, x.rounded(), scales, i, end);
+      times_.prefetch(i);
+      evaluator_.template begin<RunTask>(wide, x.rounded(), begun);
+      return x.rounded();
+    };
+    for (size_t group = begin; group < end; group += kGroup * kLanes) {
+      const size_t left = (end - group + kLanes - 1) / kLanes;
+      const size_t vectors = kGroup == 1 || left >= kGroup ? kGroup : left;
+      Number x[kGroup];
+      Begun begun[kGroup];
+      for (size_t k = 0; k < vectors; ++k) x[k] = begin_at(group + k * kLanes, begun[k]);
+      for (size_t k = 0; k < vectors; ++k) finish<RunTask>(wide, x[k], begun[k], scales, group + k * kLanes, end);
     }
   }
 
@@ -100,7 +116,10 @@ class Batch {
       WideSegment wide;
       Doubles<Real> x, scales;
       load_segments(i, wide, scales, x);
-      sample_lanes(wide, x.rounded(), scales, i, rows);
+      times_.prefetch(i);
+      Begun begun;
+      evaluator_.template begin<StagedTask>(wide, x.rounded(), begun);
+      finish<StagedTask>(wide, x.rounded(), begun, scales, i, rows);
     }
   }
 
@@ -128,21 +147,21 @@ class Batch {
 
   // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and
   // corrected later.
-  QTRAJ_INLINE void sample_lanes(const WideSegment& segment, Number x, const Doubles<Real>& scales, size_t i,
-                                 size_t end) {
+  template <class Task>
+  QTRAJ_INLINE void finish(const WideSegment& segment, Number x, const Begun& begun, const Doubles<Real>& scales,
+                           size_t i, size_t end) {
     const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
     const size_t left = count_ - row;
     WideRow<Real> wide;
-    times_.prefetch(i);
     if constexpr (kWithRates) {
       Rates<Number> rates;
-      evaluator_.sample_rates(segment, x, wanted_.alpha, wide.q, rates);
+      evaluator_.template finish_rates<Task>(segment, x, begun, wanted_.alpha, wide.q, rates);
       if (!finish_rates<Arithmetic, Evaluator::kSmallRates>(wide.q, rates, scales, wanted_, wide)) mark_again(i, rows);
       if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
       if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
       if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);
     } else {
-      evaluator_.sample(segment, x, wide.q);
+      evaluator_.template finish<Task>(segment, x, begun, wide.q);
       write_wide(wide.q, outputs_.q, row, rows, left);
     }
   }

@@ -21,20 +21,31 @@ struct ArcEvaluator : EvaluatorDefaults {
   static double scale(const ArcSegment& segment) { return segment.rate; }
   static double offset(const ArcSegment& segment) { return segment.half_angle; }
 
-  // Arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
   template <class Number>
-  QTRAJ_INLINE void sample(const ArcSegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  struct Begun {
+    Number c, s;
+  };
+
+  // Arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
+  template <class Task, class Number>
+  QTRAJ_INLINE void begin(const ArcSegmentOf<Number>&, Number x, Begun<Number>& begun) const {
     const Number y = x * x;
-    const Number c = evaluate<Arithmetic, CosArc>(y), s = x * evaluate<Arithmetic, SincArc>(y);
-    combine<Arithmetic>(segment.m, c, segment.e, s, q);
+    begun.c = evaluate<Arithmetic, CosArc>(y);
+    begun.s = x * evaluate<Arithmetic, SincArc>(y);
+  }
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish(const ArcSegmentOf<Number>& segment, Number, const Begun<Number>& begun,
+                           Number (&q)[4]) const {
+    combine<Arithmetic>(segment.m, begun.c, segment.e, begun.s, q);
   }
 
   // Per unit of x the body turns by 2 about m* e.
-  template <class Number>
-  QTRAJ_INLINE void sample_rates(const ArcSegmentOf<Number>& segment, Number x, bool, Number (&q)[4],
-                                 Rates<Number>& rates) const {
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish_rates(const ArcSegmentOf<Number>& segment, Number x, const Begun<Number>& begun, bool,
+                                 Number (&q)[4], Rates<Number>& rates) const {
     using Real = Element<Number>;
-    sample(segment, x, q);
+    finish<Task>(segment, x, begun, q);
     relative_vector_part<Arithmetic>(segment.m, segment.e, rates.omega);
     for (size_t k = 0; k < 3; ++k) {
       rates.omega[k] = Number(Real(2)) * rates.omega[k];

@@ -24,33 +24,40 @@ struct NormalizedEvaluator : EvaluatorDefaults {
 
   static constexpr bool kSmallRates = false;  // the polynomial may come close to 0
 
-  // The identity where the polynomial passes through 0.
   template <class Number>
-  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  struct Begun {
+    Number p[4], norm_squared;
+  };
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void begin(const SegmentOf<Number>& segment, Number x, Begun<Number>& begun) const {
+    vector_horner<Arithmetic>(segment.c, x, begun.p);
+    begun.norm_squared = dot<Arithmetic>(begun.p, begun.p);
+  }
+
+  // The identity where the polynomial passes through 0.
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish(const SegmentOf<Number>&, Number, const Begun<Number>& begun, Number (&q)[4]) const {
     using Real = Element<Number>;
     const Number zero = Number(Real(0)), one = Number(Real(1));
-    Number p[4];
-    vector_horner<Arithmetic>(segment.c, x, p);
-    const Number norm_squared = dot<Arithmetic>(p, p);
-    const auto is_zero = norm_squared < Number(zero_norm_squared<Real>());
-    const Number inverse_norm = one / square_root(select(is_zero, one, norm_squared));
-    for (size_t k = 0; k < 4; ++k) q[k] = select(is_zero, k == 0 ? one : zero, p[k] * inverse_norm);
+    const auto is_zero = begun.norm_squared < Number(zero_norm_squared<Real>());
+    const Number inverse_norm = one / square_root(select(is_zero, one, begun.norm_squared));
+    for (size_t k = 0; k < 4; ++k) q[k] = select(is_zero, k == 0 ? one : zero, begun.p[k] * inverse_norm);
   }
 
   // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; 0 where p is.
-  template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
-                                 Rates<Number>& rates) const {
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number x, const Begun<Number>& begun,
+                                 bool wants_alpha, Number (&q)[4], Rates<Number>& rates) const {
     using Real = Element<Number>;
-    sample(segment, x, q);
+    finish<Task>(segment, x, begun, q);
     const Number zero = Number(Real(0)), one = Number(Real(1)), two = Number(Real(2));
-    Number p[4], dp[4];
-    vector_horner<Arithmetic>(segment.c, x, p);
+    const auto& p = begun.p;
+    Number dp[4];
     first_derivative<Arithmetic>(segment.c, x, dp);
     relative_vector_part<Arithmetic>(p, dp, rates.omega);
-    const Number norm_squared = dot<Arithmetic>(p, p);
-    const auto is_zero = norm_squared < Number(zero_norm_squared<Real>());
-    const Number twice_inverse = select(is_zero, zero, two / select(is_zero, one, norm_squared));
+    const auto is_zero = begun.norm_squared < Number(zero_norm_squared<Real>());
+    const Number twice_inverse = select(is_zero, zero, two / select(is_zero, one, begun.norm_squared));
     for (Number& component : rates.omega) component = twice_inverse * component;
     if (!wants_alpha) return;
     Number ddp[4], bend[3];

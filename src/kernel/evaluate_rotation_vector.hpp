@@ -17,22 +17,36 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   explicit RotationVectorEvaluator(int doublings) : doublings_(doublings) {}
 
   template <class Number>
-  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  struct Begun {
     Number p[3];
-    vector_horner<Arithmetic>(segment.c, x, p);
-    turn<Arithmetic>(segment.base, cos_sinc<Arithmetic>(dot<Arithmetic>(p, p), doublings_), p, q);
+    CosSinc<Number> of_unit;  // of |p|; left alone where rates are asked for
+  };
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void begin(const SegmentOf<Number>& segment, Number x, Begun<Number>& begun) const {
+    vector_horner<Arithmetic>(segment.c, x, begun.p);
+    if constexpr (Task::kWithRates) return;
+    const Number y = dot<Arithmetic>(begun.p, begun.p);
+    cos_sinc<Arithmetic>(y, doublings_, begun.of_unit);
+    if (doublings_ > 0) normalize_doubled<Arithmetic>(y, begun.of_unit);
   }
 
-  template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
-                                 Rates<Number>& rates) const {
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish(const SegmentOf<Number>& segment, Number, const Begun<Number>& begun, Number (&q)[4]) const {
+    turn<Arithmetic>(segment.base, begun.of_unit, begun.p, q);
+  }
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number x, const Begun<Number>& begun,
+                                 bool wants_alpha, Number (&q)[4], Rates<Number>& rates) const {
     const HalfAngleJet<Number> jet = half_angle_jet<Arithmetic>(segment.c, x);
-    const Number y = dot<Arithmetic>(jet.p, jet.p);
-    const RateFactors<Number> f = rate_factors<Arithmetic>(y, doublings_, wants_alpha);
+    const Number y = dot<Arithmetic>(begun.p, begun.p);
+    RateFactors<Number> f;
+    rate_factors<Arithmetic>(y, doublings_, wants_alpha, f);
     CosSinc<Number> of_unit = {f.c, f.k};
-    if (doublings_ > 0) normalize_doubled<Arithmetic>(y, of_unit.c, of_unit.k);
-    turn<Arithmetic>(segment.base, of_unit, jet.p, q);
-    weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
+    if (doublings_ > 0) normalize_doubled<Arithmetic>(y, of_unit);
+    turn<Arithmetic>(segment.base, of_unit, begun.p, q);
+    weigh_rates<Arithmetic>(jet, begun.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
   }
 
  private:
@@ -50,17 +64,25 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   static constexpr bool kSmallRates = false;
 
   template <class Number>
-  QTRAJ_INLINE void sample(const SegmentOf<Number>& segment, Number x, Number (&q)[4]) const {
+  struct Begun {
     Number p[3];
-    vector_horner<Arithmetic>(segment.c, x, p);
-    turn<Arithmetic>(segment.base, cos_sinc_any<Arithmetic>(dot<Arithmetic>(p, p)), p, q);
+  };
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void begin(const SegmentOf<Number>& segment, Number x, Begun<Number>& begun) const {
+    vector_horner<Arithmetic>(segment.c, x, begun.p);
+  }
+
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish(const SegmentOf<Number>& segment, Number, const Begun<Number>& begun, Number (&q)[4]) const {
+    turn<Arithmetic>(segment.base, cos_sinc_any<Arithmetic>(dot<Arithmetic>(begun.p, begun.p)), begun.p, q);
     newton_normalize<Arithmetic>(q);
   }
 
-  template <class Number>
-  QTRAJ_INLINE void sample_rates(const SegmentOf<Number>& segment, Number x, bool wants_alpha, Number (&q)[4],
-                                 Rates<Number>& rates) const {
-    sample(segment, x, q);
+  template <class Task, class Number>
+  QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number x, const Begun<Number>& begun,
+                                 bool wants_alpha, Number (&q)[4], Rates<Number>& rates) const {
+    finish<Task>(segment, x, begun, q);
     exponential_rates_any<Arithmetic>(half_angle_jet<Arithmetic>(segment.c, x), wants_alpha, rates);
   }
 };

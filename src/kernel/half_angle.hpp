@@ -37,43 +37,46 @@ QTRAJ_INLINE void double_angle(Number sinc_squared, Number& c, Number& k, Number
 }
 // Each doubling doubles the error of c^2 + y k^2, which is 1: one Newton step.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE void normalize_doubled(Number y, Number& c, Number& k) {
+QTRAJ_INLINE void normalize_doubled(Number y, CosSinc<Number>& f) {
   using Real = Element<Number>;
-  const Number square = Arithmetic::multiply_add(y * k, k, c * c);
+  const Number square = Arithmetic::multiply_add(y * f.k, f.k, f.c * f.c);
   const Number factor = Arithmetic::multiply_add(Number(Real(-0.5)), square, Number(Real(1.5)));
-  c = c * factor;
-  k = k * factor;
+  f.c = f.c * factor;
+  f.k = f.k * factor;
 }
 
 // For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, which is then doubled. No
 // square root, no division, and the same branches for all samples of a trajectory.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE CosSinc<Number> cos_sinc(Number y, int doublings) {
+QTRAJ_INLINE void cos_sinc(Number y, int doublings, CosSinc<Number>& f) {
   using Real = Element<Number>;
   const Number z = y * Number(kQuarterPower<Real>[doublings]);
-  CosSinc<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z)};
+  Number c = evaluate<Arithmetic, CosHalf>(z), k = evaluate<Arithmetic, SincHalf>(z);
   Number minus_two_z = Number(Real(-2)) * z;
-  for (int step = 0; step < doublings; ++step) double_angle<Arithmetic>(f.k * f.k, f.c, f.k, minus_two_z);
-  if (doublings > 0) normalize_doubled<Arithmetic>(y, f.c, f.k);
-  return f;
+  for (int step = 0; step < doublings; ++step) double_angle<Arithmetic>(k * k, c, k, minus_two_z);
+  f.c = c;
+  f.k = k;
 }
 
 // All four the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16. E is left 0 where it is not wanted.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE RateFactors<Number> rate_factors(Number y, int doublings, bool wants_e) {
+QTRAJ_INLINE void rate_factors(Number y, int doublings, bool wants_e, RateFactors<Number>& f) {
   using Real = Element<Number>;
   const Number z = y * Number(kQuarterPower<Real>[doublings]);
-  RateFactors<Number> f = {evaluate<Arithmetic, CosHalf>(z), evaluate<Arithmetic, SincHalf>(z),
-                           evaluate<Arithmetic, DHalf>(z), Number(Real(0))};
-  if (wants_e) f.e = evaluate<Arithmetic, EHalf>(z);
+  Number c = evaluate<Arithmetic, CosHalf>(z), k = evaluate<Arithmetic, SincHalf>(z);
+  Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
+  if (wants_e) e = evaluate<Arithmetic, EHalf>(z);
   Number minus_two_z = Number(Real(-2)) * z;
   for (int step = 0; step < doublings; ++step) {
-    const Number sinc_squared = f.k * f.k;
-    if (wants_e) f.e = Number(Real(0.0625)) * Arithmetic::multiply_add(f.c, f.e, Number(Real(3)) * f.d * f.k);
-    f.d = Number(Real(0.25)) * Arithmetic::multiply_add(f.c, f.d, sinc_squared);
-    double_angle<Arithmetic>(sinc_squared, f.c, f.k, minus_two_z);
+    const Number sinc_squared = k * k;
+    if (wants_e) e = Number(Real(0.0625)) * Arithmetic::multiply_add(c, e, Number(Real(3)) * d * k);
+    d = Number(Real(0.25)) * Arithmetic::multiply_add(c, d, sinc_squared);
+    double_angle<Arithmetic>(sinc_squared, c, k, minus_two_z);
   }
-  return f;
+  f.c = c;
+  f.k = k;
+  f.d = d;
+  f.e = e;
 }
 
 // For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as
@@ -83,7 +86,8 @@ constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
 template <class Arithmetic, class Number>
 QTRAJ_INLINE CosSinc<Number> cos_sinc_any(Number y) {
   const auto is_short = y <= Number(kPolynomialLimit);
-  const CosSinc<Number> near = cos_sinc<Arithmetic>(select(is_short, y, Number(0.0)), 0);
+  CosSinc<Number> near;
+  cos_sinc<Arithmetic>(select(is_short, y, Number(0.0)), 0, near);
   const Number angle = select(is_short, Number(1.0), square_root(y));
   const SinCosOf<Number> at = sin_cos_of(angle);
   return {select(is_short, near.c, at.cos), select(is_short, near.k, at.sin / angle)};
@@ -160,7 +164,8 @@ QTRAJ_INLINE RateWeights<Number> rate_weights(const RateFactors<Number>& f) {
 // Body rates of exp p for |p| <= pi/2.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
-  const RateFactors<Number> f = rate_factors<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0, wants_alpha);
+  RateFactors<Number> f;
+  rate_factors<Arithmetic>(dot<Arithmetic>(jet.p, jet.p), 0, wants_alpha, f);
   weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
 }
 
@@ -170,8 +175,9 @@ QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wa
   const Number zero(0.0), one(1.0), two(2.0), three(3.0);
   const Number y = dot<Arithmetic>(jet.p, jet.p);
   const auto is_short = y <= Number(kPolynomialLimit);
-  const RateWeights<Number> near =
-      rate_weights<Arithmetic>(rate_factors<Arithmetic>(select(is_short, y, zero), 0, wants_alpha));
+  RateFactors<Number> f;
+  rate_factors<Arithmetic>(select(is_short, y, zero), 0, wants_alpha, f);
+  const RateWeights<Number> near = rate_weights<Arithmetic>(f);
 
   const Number length = select(is_short, one, square_root(y));
   const SinCosOf<Number> at = sin_cos_of(length);

@@ -70,14 +70,17 @@ class Sampler {
     const double scale = Evaluator::scale(record);
     const Work x = static_cast<Work>(parameter<Arithmetic>(elapsed, scale, Evaluator::offset(record)));
     const auto& fields = as_work(record);
+    using Task = EvaluatorTask<kWithRates, true>;
+    typename Evaluator::template Begun<Work> begun;
+    evaluator_.template begin<Task>(fields, x, begun);
     Work q[4];
     bool safe = true;
     if constexpr (kWithRates) {
       Rates<Work> rates;
-      evaluator_.sample_rates(fields, x, wanted_.alpha, q, rates);
+      evaluator_.template finish_rates<Task>(fields, x, begun, wanted_.alpha, q, rates);
       safe = finish_rates<Arithmetic>(q, rates, scale, wanted_, row);
     } else {
-      evaluator_.sample(fields, x, q);
+      evaluator_.template finish<Task>(fields, x, begun, q);
     }
     for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
     return safe ? Status::ok : Status::not_finite;
