@@ -39,9 +39,25 @@ QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to
   hn::LoadInterleaved3(Wide<double>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
 }
 QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
+#if HWY_TARGET == HWY_AVX3
+  // any 8 of 16 numbers are one instruction: two fields of four rows, then one of eight
+  const auto load = [&](size_t lane) { return _mm512_loadu_pd(from + 4 * (row + lane)); };
+  const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13),
+                last = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
+  const __m512d rows01 = load(0), rows23 = load(2), rows45 = load(4), rows67 = load(6);
+  const __m512d low01 = _mm512_permutex2var_pd(rows01, first, rows23);
+  const __m512d low23 = _mm512_permutex2var_pd(rows01, last, rows23);
+  const __m512d high01 = _mm512_permutex2var_pd(rows45, first, rows67);
+  const __m512d high23 = _mm512_permutex2var_pd(rows45, last, rows67);
+  to[0].lanes.raw = _mm512_insertf64x4(low01, _mm512_castpd512_pd256(high01), 1);
+  to[1].lanes.raw = _mm512_shuffle_f64x2(low01, high01, 0xee);
+  to[2].lanes.raw = _mm512_insertf64x4(low23, _mm512_castpd512_pd256(high23), 1);
+  to[3].lanes.raw = _mm512_shuffle_f64x2(low23, high23, 0xee);
+#else
   const double* rows[Wide<double>::kLanes];
   for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane) rows[lane] = from + 4 * (row + lane);
   load_records(rows, to);
+#endif
 }
 QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[1]) {
   to[0] = promoted(hn::LoadU(FloatTag(), from + row));
