@@ -56,6 +56,10 @@ struct Fused {
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline float square_root(float x) { return __builtin_sqrtf(x); }
 
+inline double absolute(double a) { return __builtin_fabs(a); }
+inline double maximum(double a, double b) { return a < b ? b : a; }
+inline double with_sign_of(double sign, double a) { return __builtin_copysign(a, sign); }
+
 // A polynomial of coefficients.hpp in the precision of its argument.
 template <class Number, class Polynomial>
 constexpr const auto& coefficients(Polynomial) {

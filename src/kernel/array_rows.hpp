@@ -54,6 +54,16 @@ QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
   return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
 }
 
+// Whether a component is of magnitude 2 or more, or NaN: these alone have the highest bit of the exponent set.
+constexpr uint64_t kTwoBit = uint64_t{1} << 62;
+
+template <size_t Size>
+QTRAJ_INLINE bool reaches_two(const double (&v)[Size]) {
+  uint64_t bits = 0;
+  for (const double component : v) bits |= bits_of(component);
+  return (bits & kTwoBit) != 0;
+}
+
 // 0 < fraction < 1.
 QTRAJ_INLINE bool is_inside(double fraction) { return bits_of(fraction) - 1 < kOneBits - 1; }
 

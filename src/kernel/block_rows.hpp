@@ -1,4 +1,4 @@
-// Sums over rows in a fixed order, many rows at once: how blocks are added to a BlockSum. Plain arithmetic.
+// Sums over rows in a fixed order, many rows at once: how blocks are added to a BlockSum.
 #pragma once
 
 #include "array_rows.hpp"
@@ -19,19 +19,24 @@ QTRAJ_INLINE void close_block(const double (&block)[Size][kSumLanes], BlockSum<S
     }
 }
 
-// Adds `rows` rows, a multiple of kSumLanes up to kBlockRows. `terms_of(row, terms)` leaves the terms of as many rows
-// from that one on as a Vector has lanes, or is false, and nothing is then added.
-template <class Vector, size_t Size, class TermsOf>
-QTRAJ_INLINE bool add_block(size_t rows, const TermsOf& terms_of, BlockSum<Size>& sums) {
+// Adds left[k] right[k] to each sum. Terms are listed rather than counted through in nested loops, as vectors that
+// these index would go through memory.
+template <class Arithmetic, class Vector, size_t Size>
+QTRAJ_INLINE void add_products(const Vector (&left)[Size], const Vector (&right)[Size], Vector (&sum)[Size]) {
+  for (size_t k = 0; k < Size; ++k) sum[k] = Arithmetic::multiply_add(left[k], right[k], sum[k]);
+}
+
+// Adds `rows` rows, a multiple of kSumLanes up to kBlockRows. `add_terms(row, sum)` adds the terms of as many rows from
+// that one on as a Vector has lanes, or is false, and `sums` are then left alone.
+template <class Vector, size_t Size, class AddTerms>
+QTRAJ_INLINE bool add_block(size_t rows, const AddTerms& add_terms, BlockSum<Size>& sums) {
   static_assert(kSumLanes % kLanesOf<Vector> == 0, "lanes of a sum in whole vectors");
   double block[Size][kSumLanes];
   for (size_t lane = 0; lane < kSumLanes; lane += kLanesOf<Vector>) {
-    Vector sum[Size], terms[Size];
+    Vector sum[Size];
     for (Vector& term : sum) term = Vector(0.0);
-    for (size_t row = lane; row < rows; row += kSumLanes) {
-      if (!terms_of(row, terms)) return false;
-      for (size_t k = 0; k < Size; ++k) sum[k] = sum[k] + terms[k];
-    }
+    for (size_t row = lane; row < rows; row += kSumLanes)
+      if (!add_terms(row, sum)) return false;
     for (size_t k = 0; k < Size; ++k) store_lanes(sum[k], &block[k][lane]);
   }
   close_block<Vector>(block, sums);

@@ -31,7 +31,8 @@ struct SampleOutputs {
 
 // Sums over samples of weight w above 0. Scatter: the upper triangle of sum w q q^T, q made unit, row by row.
 using ScatterSums = BlockSum<10>;
-// In the notation of qtraj/log_moments.hpp: W, f, sum w d, sum w r, the upper triangle of the Hessian; largest d.
+// In the notation of qtraj/log_moments.hpp: W, f, sum w d, sum w r, the upper triangle of sum w (1 - d cot d) u u^T;
+// largest d.
 struct LogSums {
   BlockSum<12> sums;
   double farthest = 0;

@@ -1,12 +1,11 @@
-// Passes over the samples of a mean. Plain arithmetic in a fixed order (block_rows.hpp): the same bits in all kernels.
-// A quaternion of any ordinary norm stands for its unit one, and none is normalised.
+// Samples of a mean, and the pass of the eigen mean over them: plain arithmetic in the fixed order of block_rows.hpp,
+// the same bits in all kernels. A quaternion of any ordinary norm stands for its unit one, and none is normalised.
 #pragma once
 
 #include <type_traits>
 
 #include "block_rows.hpp"
 #include "near_one.hpp"
-#include "nearest_log.hpp"
 
 namespace qtraj {
 namespace {
@@ -39,10 +38,12 @@ size_t raise_to_weights(const SampleArrays& samples, double& largest) {
 
 // ---- Sums ----
 
-// Samples `row`, `row` + 1, ...; false where they are not ordinary or do not count.
+// Samples `row`, `row` + 1, ...; false where one does not count, or is not ordinary and has a component of 2 or more.
+// Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
 template <class Real, class Number>
 QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (&q)[4], Number& weight) {
-  if (!load_rows<Real>({samples.q, false}, row, q)) return false;
+  if (!load_numbers<Real>({samples.q, false}, row, q)) return false;
+  if (any(reaches_two(q)) && !all(is_ordinary(q))) return false;
   weight = Number(1.0);
   if (!samples.weights) return true;
   Number given[1];
@@ -51,30 +52,30 @@ QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (
   return samples.is_padded || all(Number(0.0) < weight);
 }
 
-// w q q^T / |q|^2.
+// Adds the upper triangle of w q q^T / |q|^2; false where a q is not ordinary.
 template <class Number>
-QTRAJ_INLINE void scatter_terms(const Number (&q)[4], Number weight, Number (&terms)[10]) {
+QTRAJ_INLINE bool add_scatter_terms(const Number (&q)[4], Number weight, Number (&sum)[10]) {
   const Number square = dot<Plain>(q, q), excess = square - Number(1.0);
   const auto is_near = is_near_one(excess);
   Number inverse = inverse_near_one<Plain>(excess);
-  if (!all(is_near)) inverse = select(is_near, inverse, Number(1.0) / square);
-  const Number scale = weight * inverse;
-  size_t at = 0;
-  for (size_t row = 0; row < 4; ++row) {
-    const Number scaled = scale * q[row];
-    for (size_t column = row; column < 4; ++column) terms[at++] = scaled * q[column];
+  if (!all(is_near)) {
+    if (!all(is_ordinary(q))) return false;
+    inverse = select(is_near, inverse, Number(1.0) / square);
   }
+  const Number scale = weight * inverse, s[4] = {scale * q[0], scale * q[1], scale * q[2], scale * q[3]};
+  const Number left[] = {s[0], s[0], s[0], s[0], s[1], s[1], s[1], s[2], s[2], s[3]};
+  const Number right[] = {q[0], q[1], q[2], q[3], q[1], q[2], q[3], q[2], q[3], q[3]};
+  add_products<Plain>(left, right, sum);
+  return true;
 }
 
 template <class Real, class Vector>
 QTRAJ_INLINE bool add_scatter_block(const SampleArrays& samples, size_t first, size_t rows, ScatterSums& sums) {
-  const auto terms_of = [&](size_t row, Vector(&terms)[10]) {
+  const auto add_terms = [&](size_t row, Vector(&sum)[10]) {
     Vector q[4], weight;
-    if (!load_samples<Real>(samples, first + row, q, weight)) return false;
-    scatter_terms(q, weight, terms);
-    return true;
+    return load_samples<Real>(samples, first + row, q, weight) && add_scatter_terms(q, weight, sum);
   };
-  return add_block<Vector>(rows, terms_of, sums);
+  return add_block<Vector>(rows, add_terms, sums);
 }
 
 template <class Vector>
@@ -82,48 +83,6 @@ size_t add_scatter(const SampleArrays& samples, size_t first, ScatterSums& sums)
   return do_blocks(first, samples.count, [&](size_t row, size_t rows) {
     return samples.single ? add_scatter_block<float, Vector>(samples, row, rows, sums)
                           : add_scatter_block<double, Vector>(samples, row, rows, sums);
-  });
-}
-
-// w, w d^2, w d, w r and w [u u^T + d cot d (I - u u^T)], u = r/d.
-template <class Number>
-QTRAJ_INLINE void log_terms(const NearestLogOf<Number>& at, Number weight, Number (&terms)[12]) {
-  const Number across = weight * at.across, along = (weight - across) * at.inverse;
-  terms[0] = weight;
-  terms[2] = weight * at.angle;
-  terms[1] = terms[2] * at.angle;
-  for (size_t k = 0; k < 3; ++k) terms[3 + k] = weight * at.log[k];
-  size_t next = 6;
-  for (size_t row = 0; row < 3; ++row) {
-    const Number scaled = along * at.vector[row];
-    terms[next++] = scaled * at.vector[row] + across;
-    for (size_t column = row + 1; column < 3; ++column) terms[next++] = scaled * at.vector[column];
-  }
-}
-
-template <class Real, class Vector>
-QTRAJ_INLINE bool add_log_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
-                                LogSums& sums) {
-  const Vector from[4] = {Vector(base[0]), Vector(base[1]), Vector(base[2]), Vector(base[3])};
-  Vector farthest(sums.farthest);
-  const auto terms_of = [&](size_t row, Vector(&terms)[12]) {
-    Vector q[4], weight;
-    if (!load_samples<Real>(samples, first + row, q, weight)) return false;
-    const NearestLogOf<Vector> at = nearest_log_of(from, q);
-    log_terms(at, weight, terms);
-    farthest = select(farthest < at.angle, at.angle, farthest);
-    return true;
-  };
-  if (!add_block<Vector>(rows, terms_of, sums.sums)) return false;
-  sums.farthest = largest_lane(farthest);
-  return true;
-}
-
-template <class Vector>
-size_t add_logs(const SampleArrays& samples, size_t first, const double (&base)[4], LogSums& sums) {
-  return do_blocks(first, samples.count, [&](size_t row, size_t rows) {
-    return samples.single ? add_log_block<float, Vector>(samples, row, rows, base, sums)
-                          : add_log_block<double, Vector>(samples, row, rows, base, sums);
   });
 }
 

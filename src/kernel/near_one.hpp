@@ -10,8 +10,7 @@ namespace {
 // |q|^2 = 1 + excess. Where it is near 1 the terms left out of the series are below 2^-57.
 template <class Number>
 QTRAJ_INLINE auto is_near_one(Number excess) {
-  const Number limit(0x1p-19);
-  return (-limit < excess) & (excess < limit);
+  return absolute(excess) < Number(0x1p-19);
 }
 // (1 + excess)^-1
 template <class Arithmetic, class Number>

@@ -1,60 +1,66 @@
-// The log from one orientation to the nearer of q and -q. Plain arithmetic: the same bits in the core and in kernels of
-// either arithmetic. What it promises is in qtraj/log_moments.hpp.
+// The log from one orientation to the nearer of q and -q, in steps: sums over samples do each for many rows. What it
+// promises is in qtraj/log_moments.hpp.
 #pragma once
 
+#include "array_rows.hpp"
 #include "near_one.hpp"
 
 namespace qtraj {
 namespace {
 
-// d: the angle between them on S^3, rad.
+// conj(base) q, base unit. d: the angle between the base and +-q on S^3, rad.
 template <class Number>
-struct NearestLogOf {
-  Number log[3], angle, cosine, sine;  // as in NearestLog
-  Number vector[3];                    // along the log or against it, of any length
-  Number inverse;                      // of the vector's square; 1 where that may be 0
-  Number across;                       // d cot d
+struct RelativeOf {
+  Number q[4];
+  Number sine_squared;  // |q|^2 sin^2 d, the square of the vector part
+  Number inverse;       // +-1/|q|, with the sign that takes q to the nearer of both: inverse q0 = cos d
 };
 
-// Whether the first component that is not 0 is negative.
-template <class Number>
-QTRAJ_INLINE auto is_first_negative(const Number (&q)[4]) {
-  const Number zero(0.0);
-  Number first = q[0];
-  // most often there is nothing to select
-  for (size_t k = 1; k < 4 && !all((first < zero) | (zero < first)); ++k)
-    first = select((first < zero) | (zero < first), first, q[k]);
-  return first < zero;
+// conj(a) b
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void conjugate_product(const Number (&a)[4], const Number (&b)[4], Number (&product)[4]) {
+  const auto sum = [&](Number b0, Number b1, Number b2, Number b3) {
+    const Number component[4] = {b0, b1, b2, b3};
+    return dot<Arithmetic>(component, a);
+  };
+  product[0] = sum(b[0], b[1], b[2], b[3]);
+  product[1] = sum(b[1], -b[0], -b[3], b[2]);
+  product[2] = sum(b[2], b[3], -b[0], -b[1]);
+  product[3] = sum(b[3], -b[2], b[1], -b[0]);
 }
 
-// Base unit; q of ordinary size. d/sin d is a polynomial in 1 - cos d and needs no case of its own where d is 0: the
-// log is (d/sin d) v, v the vector part of conj(base) q / |q|.
+// The first component that is not 0.
 template <class Number>
-QTRAJ_INLINE NearestLogOf<Number> nearest_log_of(const Number (&base)[4], const Number (&q)[4]) {
-  const Number zero(0.0), one(1.0), w = base[0], x = base[1], y = base[2], z = base[3];
-  const Number relative[4] = {w * q[0] + x * q[1] + y * q[2] + z * q[3], w * q[1] - x * q[0] - y * q[3] + z * q[2],
-                              w * q[2] + x * q[3] - y * q[0] - z * q[1], w * q[3] - x * q[2] + y * q[1] - z * q[0]};
-  NearestLogOf<Number> at;
-  for (size_t k = 0; k < 3; ++k) at.vector[k] = relative[k + 1];
-  const Number square = dot<Plain>(at.vector, at.vector), square_of_q = relative[0] * relative[0] + square;
+QTRAJ_INLINE Number first_nonzero(const Number (&q)[4]) {
+  Number first = q[0];
+  for (size_t k = 1; k < 4; ++k) first = select(first != Number(0.0), first, q[k]);
+  return first;
+}
 
-  at.inverse = one / select(Number(0x1p-700) < square, square, one);
-  const Number excess = square_of_q - one;
+// False, and `to` is not to be used, where a q is not ordinary; one with a component of 2 and more must be.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], RelativeOf<Number>& to) {
+  const Number one(1.0);
+  conjugate_product<Arithmetic>(base, q, to.q);
+  const Number vector[3] = {to.q[1], to.q[2], to.q[3]};
+  to.sine_squared = dot<Arithmetic>(vector, vector);
+  const Number square = Arithmetic::multiply_add(to.q[0], to.q[0], to.sine_squared), excess = square - one;
   const auto is_near = is_near_one(excess);
-  Number inverse_of_q = inverse_near_one<Plain>(excess), scale = inverse_root_near_one<Plain>(excess);
-  if (!all(is_near)) {
-    inverse_of_q = select(is_near, inverse_of_q, one / square_of_q);
-    scale = select(is_near, scale, square_root(inverse_of_q));
+  Number length_inverse = inverse_root_near_one<Arithmetic>(excess), sign = to.q[0];
+  if (!all(is_near & (sign != Number(0.0)))) {
+    if (!all(is_ordinary(q))) return false;
+    length_inverse = select(is_near, length_inverse, square_root(one / square));
+    sign = first_nonzero(to.q);
   }
-  at.cosine = select(relative[0] < zero, -relative[0], relative[0]) * scale;
-  at.sine = square_root(square * inverse_of_q);
+  to.inverse = with_sign_of(sign, length_inverse);
+  return true;
+}
 
-  const Number ratio = evaluate<Plain, AcosRatio>(one - at.cosine), factor = ratio * scale;
-  const Number toward = select(is_first_negative(relative), -factor, factor);
-  for (size_t k = 0; k < 3; ++k) at.log[k] = toward * at.vector[k];
-  at.angle = ratio * at.sine;
-  at.across = ratio * at.cosine;
-  return at;
+// d / (|q| sin d): what makes a log of the vector part. d / sin d is a polynomial in 1 - cos d and needs no case of its
+// own where d is 0.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE Number log_factor(Number real, Number inverse) {
+  return inverse * evaluate<Arithmetic, AcosRatio>(Arithmetic::multiply_add(-real, inverse, Number(1.0)));
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ QTRAJ_INLINE UnitWeights<Number> unit_weights(const Number (&a)[4], const Number
   UnitWeights<Number> unit;
   unit.from_a = inverse_root_near_one<Arithmetic>(a_excess);
   unit.from_b = inverse_root_near_one<Arithmetic>(b_excess);
-  const auto is_near = is_near_one(a_excess) & is_near_one(b_excess);
+  const auto a_is_near = is_near_one(a_excess), b_is_near = is_near_one(b_excess);
+  const auto is_near = a_is_near & b_is_near;
   if (!all(is_near)) {
     // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
     const Number inverse = one / (aa * bb);

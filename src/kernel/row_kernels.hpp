@@ -2,6 +2,7 @@
 #pragma once
 
 #include "continuous_rows.hpp"
+#include "log_rows.hpp"
 #include "mean_rows.hpp"
 #include "pair_rows.hpp"
 #include "unit_rows.hpp"
@@ -17,7 +18,7 @@ constexpr RowKernels kRowKernels = {interpolate<SlerpRow, Arithmetic, Vector>,
                                     make_continuous<Vector>,
                                     raise_to_weights<Vector>,
                                     add_scatter<Vector>,
-                                    add_logs<Vector>};
+                                    add_logs<Arithmetic, Vector>};
 
 }  // namespace
 }  // namespace qtraj

@@ -99,6 +99,10 @@ QTRAJ_INLINE WideMask<Real> operator<=(Wide<Real> a, Wide<Real> b) {
   return {hn::Le(a.lanes, b.lanes)};
 }
 template <class Real>
+QTRAJ_INLINE WideMask<Real> operator!=(Wide<Real> a, Wide<Real> b) {
+  return {hn::Ne(a.lanes, b.lanes)};
+}
+template <class Real>
 QTRAJ_INLINE Wide<Real> fused_multiply_add(Wide<Real> a, Wide<Real> b, Wide<Real> c) {
   return Wide<Real>::of(hn::MulAdd(a.lanes, b.lanes, c.lanes));
 }
@@ -113,6 +117,15 @@ QTRAJ_INLINE Wide<Real> select(WideMask<Real> condition, Wide<Real> yes, Wide<Re
 template <class Real>
 QTRAJ_INLINE Wide<Real> absolute(Wide<Real> a) {
   return Wide<Real>::of(hn::Abs(a.lanes));
+}
+
+template <class Real>
+QTRAJ_INLINE Wide<Real> maximum(Wide<Real> a, Wide<Real> b) {
+  return Wide<Real>::of(hn::Max(a.lanes, b.lanes));
+}
+template <class Real>
+QTRAJ_INLINE Wide<Real> with_sign_of(Wide<Real> sign, Wide<Real> a) {
+  return Wide<Real>::of(hn::CopySign(a.lanes, sign.lanes));
 }
 
 // One instruction more than the product where there is a fused one; the same error, which is exact (in the range that

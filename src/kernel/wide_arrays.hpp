@@ -123,6 +123,14 @@ QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
   return is_in_order(kLeastOrdinary >> 32, hn::ShiftRight<32>(hn::BitCast(tag, largest)), kPastOrdinary >> 32);
 }
 
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> reaches_two(const Wide<double> (&v)[Size]) {
+  const BitsTag tag;
+  auto bits = hn::BitCast(tag, v[0].lanes);
+  for (size_t k = 1; k < Size; ++k) bits = hn::Or(bits, hn::BitCast(tag, v[k].lanes));
+  return {hn::RebindMask(Wide<double>::Tag(), hn::TestBit(bits, hn::Set(tag, kTwoBit)))};
+}
+
 // Hides that of single numbers.
 using qtraj::is_finite;
 QTRAJ_INLINE WideMask<double> is_finite(Wide<double> a) {

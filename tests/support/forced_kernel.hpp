@@ -11,6 +11,8 @@ namespace test {
 const char* const kTargets[] = {"avx512 fused", "avx2 fused",  "neon fused",
                                 "sse4 plain",   "ssse3 plain", "scalar plain"};
 
+inline bool is_fused(const char* target) { return std::strstr(target, "fused") != nullptr; }
+
 // While it lives, sampling uses the kernel of that name, where this CPU can run it.
 class ForcedKernel {
  public:
@@ -20,7 +22,7 @@ class ForcedKernel {
   ForcedKernel& operator=(const ForcedKernel&) = delete;
 
   bool runs_here() const { return runs_here_; }
-  bool is_fused() const { return std::strstr(target_, "fused") != nullptr; }
+  bool is_fused() const { return test::is_fused(target_); }
 
  private:
   const char* target_;

@@ -12,11 +12,11 @@ double sum_of(std::vector<double> terms) {
   while (terms.size() % qtraj::kSumLanes != 0) terms.push_back(0.0);
   qtraj::BlockSum<1> sum;
   const size_t done = qtraj::do_blocks(0, terms.size(), [&](size_t first, size_t rows) {
-    const auto term_of = [&](size_t row, double(&to)[1]) {
-      to[0] = terms[first + row];
+    const auto add_term = [&](size_t row, double(&to)[1]) {
+      to[0] += terms[first + row];
       return true;
     };
-    return qtraj::add_block<double>(rows, term_of, sum);
+    return qtraj::add_block<double>(rows, add_term, sum);
   });
   REQUIRE(done == terms.size());
   return sum.value(0);
@@ -57,11 +57,11 @@ TEST_CASE("a block that ends early leaves its sum alone", "[block_sum]") {
   qtraj::BlockSum<1> sum;
   const auto rows_before = [&](size_t end) {
     return qtraj::do_blocks(0, 1000, [&](size_t first, size_t rows) {
-      const auto term_of = [&](size_t row, double(&to)[1]) {
-        to[0] = 1.0;
+      const auto add_term = [&](size_t row, double(&to)[1]) {
+        to[0] += 1.0;
         return first + row < end;
       };
-      return qtraj::add_block<double>(rows, term_of, sum);
+      return qtraj::add_block<double>(rows, add_term, sum);
     });
   };
   CHECK((rows_before(127) == 0 && sum.value(0) == 0));

@@ -1,5 +1,5 @@
-// Means in the vectors of every kernel: the same bits whatever the vectors' width, whether samples are summed in the
-// caller's arrays or one by one, and nothing but the caller's arrays is read.
+// Means in the vectors of every kernel: the same bits whatever the vectors' width (Karcher's in the kernels of a kind),
+// whether samples are summed in the caller's arrays or one by one, and nothing but the caller's arrays is read.
 #include <qtraj.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/log_rows.hpp"
 #include "support/capi_means.hpp"
 #include "support/guarded.hpp"
 #include "support/kernel_curves.hpp"
@@ -63,26 +64,27 @@ void add_bits(Bits& bits, double value) {
   bits.push_back(of_value);
 }
 template <class Real>
-Bits bits_of_means(const Real* q, const Real* weights, size_t count) {
+Bits bits_of_mean(bool is_karcher, const Real* q, const Real* weights, size_t count) {
   Bits bits;
-  for (const bool is_karcher : {false, true}) {
-    std::array<Real, 4> mean{};
-    double scalar = 0;
-    int32_t iterations = 0;
-    size_t bad_index = 0;
-    bits.push_back(static_cast<uint64_t>(
-        is_karcher ? capi::mean_karcher(q, weights, count, 0, 100, mean.data(), &iterations, &scalar, &bad_index)
-                   : capi::mean_eigen(q, weights, count, mean.data(), &scalar, &bad_index)));
-    for (const Real component : mean) add_bits(bits, static_cast<double>(component));
-    add_bits(bits, scalar);
-    bits.push_back(static_cast<uint64_t>(iterations));
-    bits.push_back(bad_index);
-  }
+  std::array<Real, 4> mean{};
+  double scalar = 0;
+  int32_t iterations = 0;
+  size_t bad_index = 0;
+  bits.push_back(static_cast<uint64_t>(
+      is_karcher ? capi::mean_karcher(q, weights, count, 0, 100, mean.data(), &iterations, &scalar, &bad_index)
+                 : capi::mean_eigen(q, weights, count, mean.data(), &scalar, &bad_index)));
+  for (const Real component : mean) add_bits(bits, static_cast<double>(component));
+  add_bits(bits, scalar);
+  bits.push_back(static_cast<uint64_t>(iterations));
+  bits.push_back(bad_index);
   return bits;
 }
 template <class Real>
 Bits bits_of_means(const Samples<Real>& of) {
-  return bits_of_means(of.q.data(), of.weights_or_null(), of.count());
+  Bits bits = bits_of_mean(false, of.q.data(), of.weights_or_null(), of.count());
+  const Bits of_karcher = bits_of_mean(true, of.q.data(), of.weights_or_null(), of.count());
+  bits.insert(bits.end(), of_karcher.begin(), of_karcher.end());
+  return bits;
 }
 
 std::vector<size_t> counts() {
@@ -93,34 +95,39 @@ std::vector<size_t> counts() {
   return all;
 }
 
-// Every set of samples there is, and what the scalar kernel makes of it.
+// Every set of samples there is, and what the first kernel that may have these bits makes of it.
 template <class Real>
 struct Case {
   Samples<Real> samples;
-  Bits expected;
+  Bits eigen, karcher_fused, karcher_plain;
+
+  // Whether they are those of the kernels before.
+  bool is_same(bool is_fused, const Bits& of_eigen, const Bits& of_karcher) {
+    Bits& karcher = is_fused ? karcher_fused : karcher_plain;
+    if (eigen.empty()) eigen = of_eigen;
+    if (karcher.empty()) karcher = of_karcher;
+    return of_eigen == eigen && of_karcher == karcher;
+  }
 };
 template <class Real>
 std::vector<Case<Real>> cases() {
-  const test::ForcedKernel scalar("scalar plain");
   std::vector<Case<Real>> all;
   Random random(51);
   for (const size_t count : counts())
     for (const bool weighted : {true, false})
       for (const int rare : {1, 4, 40, 1000000})
-        for (const bool faults : {false, true}) {
-          const Samples<Real> set = samples<Real>(random, count, weighted, rare, faults);
-          all.push_back({set, bits_of_means(set)});
-        }
+        for (const bool faults : {false, true})
+          all.push_back({samples<Real>(random, count, weighted, rare, faults), {}, {}, {}});
   return all;
 }
 
 template <class Real>
 void check_in_every_kernel() {
-  const std::vector<Case<Real>> all = cases<Real>();
+  std::vector<Case<Real>> all = cases<Real>();
   Guarded<Real> q(4 * kMost), weights(kMost);
-  test::for_every_kernel([&](const char*) {
+  test::for_every_kernel([&](const char* target) {
     size_t wrong = 0;
-    for (const Case<Real>& c : all)
+    for (Case<Real>& c : all)
       for (const bool at_end : {true, false}) {
         const size_t count = c.samples.count();
         Real *placed = q.array(4 * count, at_end), *placed_weights = weights.array(count, at_end);
@@ -128,17 +135,61 @@ void check_in_every_kernel() {
         if (count > 0) std::memcpy(placed, c.samples.q.data(), 4 * count * sizeof(Real));
         const bool weighted = !c.samples.weights.empty();
         if (weighted) std::memcpy(placed_weights, c.samples.weights.data(), count * sizeof(Real));
-        wrong += bits_of_means(placed, weighted ? placed_weights : nullptr, count) != c.expected;
+        const Real* given = weighted ? placed_weights : nullptr;
+        wrong += !c.is_same(test::is_fused(target), bits_of_mean(false, placed, given, count),
+                            bits_of_mean(true, placed, given, count));
       }
     CHECK(wrong == 0);
   });
 }
 
+// All that a pass over the samples adds up.
+Bits bits_of_sums(const qtraj::LogSums& of) {
+  Bits bits;
+  add_bits(bits, of.farthest);
+  for (size_t term = 0; term < 12; ++term) add_bits(bits, of.sums.value(term));
+  return bits;
+}
+
 }  // namespace
 
-TEST_CASE("means are the same bits in every kernel, and only the samples are read", "[mean_kernels]") {
+TEST_CASE("means are the same bits in every kernel, Karcher's of a kind, and only the samples are read",
+          "[mean_kernels]") {
   check_in_every_kernel<double>();
   check_in_every_kernel<float>();
+}
+
+TEST_CASE("components of 2 and more are told by their bits", "[mean_kernels]") {
+  const auto reaches_two = [](double a, double b) {
+    const double q[] = {0.0, a, -0.0, b};
+    return qtraj::reaches_two(q);
+  };
+  const double below = std::nextafter(2.0, 0.0);
+  CHECK_FALSE((reaches_two(below, -below) || reaches_two(5e-324, 0.0)));
+  for (const double large : {2.0, 3.0, 1e300, HUGE_VAL, std::nan("")})
+    CHECK((reaches_two(large, 1.0) && reaches_two(1.0, -large) && reaches_two(-large, large)));
+}
+
+TEST_CASE("the sums of logs are those of one sample after the other in the kernel's arithmetic", "[mean_kernels]") {
+  test::for_every_kernel([](const char* target) {
+    Random random(55);
+    const auto one_by_one =
+        test::is_fused(target) ? qtraj::add_logs<qtraj::Fused, double> : qtraj::add_logs<qtraj::Plain, double>;
+    for (const int rare : {20, 1000000}) {
+      // without any that vectors leave to the core
+      Samples<double> all = samples<double>(random, 296, true, 1000000, false);
+      for (size_t k = 0; k < all.q.size(); k += 4)
+        if (random.uniform(0, rare) < 1) std::fill_n(&all.q[k + 1], 3, 0.0);
+      for (const double* weights : {static_cast<const double*>(nullptr), all.weights_or_null()}) {
+        const qtraj::SampleArrays arrays = {all.q.data(), weights, all.count(), false, 1.0, false};
+        const double base[4] = {0, 0.6, 0, 0.8};
+        qtraj::LogSums sums, expected;
+        CHECK(qtraj::kernel().rows.add_logs(arrays, 0, base, sums) == all.count());
+        CHECK(one_by_one(arrays, 0, base, expected) == all.count());
+        CHECK(bits_of_sums(sums) == bits_of_sums(expected));
+      }
+    }
+  });
 }
 
 TEST_CASE("means name the first sample at fault, in whichever block it is", "[mean_kernels]") {

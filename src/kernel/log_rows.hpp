@@ -1,0 +1,89 @@
+// The pass of a Karcher mean over the samples (qtraj/log_moments.hpp), in the fixed order of block_rows.hpp and the
+// arithmetic of the kernel: the same bits in all kernels of a kind.
+#pragma once
+
+#include "mean_rows.hpp"
+#include "nearest_log.hpp"
+
+namespace qtraj {
+namespace {
+
+// What one loop over the rows of a block leaves for the next: each step of the logs waits long for the one before, and
+// a processor has too few instructions under way to fill that time with other rows.
+struct LogBlock {
+  double relative[4][kBlockRows], weight[kBlockRows], sine[kBlockRows];
+  double factor[kBlockRows];  // first RelativeOf::inverse, then log_factor
+  double bend[kBlockRows];    // first RelativeOf::sine_squared, then (1 - d cot d) over it
+};
+
+template <class Arithmetic, class Real, class Vector>
+QTRAJ_INLINE bool relate_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
+                               LogBlock& block) {
+  const Vector from[4] = {Vector(base[0]), Vector(base[1]), Vector(base[2]), Vector(base[3])};
+  for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
+    Vector q[4], weight;
+    RelativeOf<Vector> to;
+    if (!load_samples<Real>(samples, first + row, q, weight) || !relate<Arithmetic>(from, q, to)) return false;
+    for (size_t k = 0; k < 4; ++k) store_lanes(to.q[k], &block.relative[k][row]);
+    store_lanes(weight, &block.weight[row]);
+    store_lanes(square_root(to.sine_squared), &block.sine[row]);
+    store_lanes(to.inverse, &block.factor[row]);
+    store_lanes(to.sine_squared, &block.bend[row]);
+  }
+  return true;
+}
+
+template <class Arithmetic, class Vector>
+QTRAJ_INLINE void find_log_factors(size_t rows, LogBlock& block) {
+  for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
+    const Vector real = load_lanes(&block.relative[0][row], Vector());
+    const Vector factor = log_factor<Arithmetic>(real, load_lanes(&block.factor[row], Vector()));
+    store_lanes(factor, &block.factor[row]);
+    // factor real = d cot d; where sin d is 0 so is the vector, whatever it is multiplied by
+    const Vector sine_squared = load_lanes(&block.bend[row], Vector()) + Vector(0x1p-700);
+    store_lanes(Arithmetic::multiply_add(-factor, real, Vector(1.0)) / sine_squared, &block.bend[row]);
+  }
+}
+
+// Adds w, w d^2, w d, w r and w (1 - d cot d) u u^T, u = r/d.
+template <class Arithmetic, class Vector>
+QTRAJ_INLINE void add_log_terms(const LogBlock& block, size_t row, Vector (&sum)[12], Vector& farthest) {
+  const auto load = [&](const double(&numbers)[kBlockRows]) { return load_lanes(&numbers[row], Vector()); };
+  const Vector weight = load(block.weight), factor = load(block.factor);
+  const Vector x = load(block.relative[1]), y = load(block.relative[2]), z = load(block.relative[3]);
+
+  const Vector angle = absolute(factor) * load(block.sine), toward = weight * factor;
+  const Vector along = weight * load(block.bend), from_x = along * x, from_y = along * y, from_z = along * z;
+  farthest = maximum(farthest, angle);
+  const Vector left[] = {weight, weight * angle, weight, toward, toward, toward,
+                         from_x, from_x,         from_x, from_y, from_y, from_z};
+  const Vector right[] = {Vector(1.0), angle, angle, x, y, z, x, y, z, y, z, z};
+  add_products<Arithmetic>(left, right, sum);
+}
+
+template <class Arithmetic, class Real, class Vector>
+QTRAJ_INLINE bool add_log_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
+                                LogSums& sums) {
+  LogBlock block;
+  if (!relate_block<Arithmetic, Real, Vector>(samples, first, rows, base, block)) return false;
+  find_log_factors<Arithmetic, Vector>(rows, block);
+  Vector farthest(sums.farthest);
+  const auto add_terms = [&](size_t row, Vector(&sum)[12]) {
+    add_log_terms<Arithmetic>(block, row, sum, farthest);
+    return true;
+  };
+  add_block<Vector>(rows, add_terms, sums.sums);
+  sums.farthest = largest_lane(farthest);
+  return true;
+}
+
+template <class Arithmetic, class Vector>
+size_t add_logs(const SampleArrays& samples, size_t first, const double (&base)[4], LogSums& sums) {
+  return do_blocks(first, samples.count, [&](size_t row, size_t rows) {
+    return samples.single ? add_log_block<Arithmetic, float, Vector>(samples, row, rows, base, sums)
+                          : add_log_block<Arithmetic, double, Vector>(samples, row, rows, base, sums);
+  });
+}
+
+}  // namespace
+}  // namespace qtraj
