@@ -38,10 +38,23 @@ size_t raise_to_weights(const SampleArrays& samples, double& largest) {
 
 // ---- Sums ----
 
+// Asks for as many samples as are done at once, some blocks further on: processors do so themselves, but not beyond a
+// page, nor while the loops over a block do not read.
+constexpr size_t kRowsAhead = 3 * kBlockRows;
+
+template <class Real, size_t kRows>
+QTRAJ_INLINE void prefetch_samples(const SampleArrays& samples, size_t row) {
+  constexpr size_t kLine = 64 / sizeof(Real);
+  if (row + kRowsAhead >= samples.count) return;
+  const Real* q = static_cast<const Real*>(samples.q) + 4 * (row + kRowsAhead);
+  for (size_t at = 0; at < 4 * kRows; at += kLine) __builtin_prefetch(q + at);
+}
+
 // Samples `row`, `row` + 1, ...; false where one does not count, or is not ordinary and has a component of 2 or more.
 // Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
 template <class Real, class Number>
 QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (&q)[4], Number& weight) {
+  prefetch_samples<Real, kLanesOf<Number>>(samples, row);
   if (!load_numbers<Real>({samples.q, false}, row, q)) return false;
   if (any(reaches_two(q)) && !all(is_ordinary(q))) return false;
   weight = Number(1.0);
