@@ -16,16 +16,17 @@ struct LogBlock {
   double bend[kBlockRows];    // first RelativeOf::sine_squared, then (1 - d cot d) over it
 };
 
-template <class Arithmetic, class Real, class Vector>
+template <class Arithmetic, class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool relate_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
                                LogBlock& block) {
   const Vector from[4] = {Vector(base[0]), Vector(base[1]), Vector(base[2]), Vector(base[3])};
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
     Vector q[4], weight;
     RelativeOf<Vector> to;
-    if (!load_samples<Real>(samples, first + row, q, weight) || !relate<Arithmetic>(from, q, to)) return false;
+    if (!load_samples<Real, kWeighted>(samples, first + row, q, weight) || !relate<Arithmetic>(from, q, to))
+      return false;
     for (size_t k = 0; k < 4; ++k) store_lanes(to.q[k], &block.relative[k][row]);
-    store_lanes(weight, &block.weight[row]);
+    if constexpr (kWeighted) store_lanes(weight, &block.weight[row]);
     store_lanes(square_root(to.sine_squared), &block.sine[row]);
     store_lanes(to.inverse, &block.factor[row]);
     store_lanes(to.sine_squared, &block.bend[row]);
@@ -46,10 +47,10 @@ QTRAJ_INLINE void find_log_factors(size_t rows, LogBlock& block) {
 }
 
 // Adds w, w d^2, w d, w r and w (1 - d cot d) u u^T, u = r/d.
-template <class Arithmetic, class Vector>
+template <class Arithmetic, bool kWeighted, class Vector>
 QTRAJ_INLINE void add_log_terms(const LogBlock& block, size_t row, Vector (&sum)[12], Vector& farthest) {
   const auto load = [&](const double(&numbers)[kBlockRows]) { return load_lanes(&numbers[row], Vector()); };
-  const Vector weight = load(block.weight), factor = load(block.factor);
+  const Vector weight = kWeighted ? load(block.weight) : Vector(1.0), factor = load(block.factor);
   const Vector x = load(block.relative[1]), y = load(block.relative[2]), z = load(block.relative[3]);
 
   const Vector angle = absolute(factor) * load(block.sine), toward = weight * factor;
@@ -61,15 +62,15 @@ QTRAJ_INLINE void add_log_terms(const LogBlock& block, size_t row, Vector (&sum)
   add_products<Arithmetic>(left, right, sum);
 }
 
-template <class Arithmetic, class Real, class Vector>
+template <class Arithmetic, class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool add_log_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
                                 LogSums& sums) {
   LogBlock block;
-  if (!relate_block<Arithmetic, Real, Vector>(samples, first, rows, base, block)) return false;
+  if (!relate_block<Arithmetic, Real, kWeighted, Vector>(samples, first, rows, base, block)) return false;
   find_log_factors<Arithmetic, Vector>(rows, block);
   Vector farthest(sums.farthest);
   const auto add_terms = [&](size_t row, Vector(&sum)[12]) {
-    add_log_terms<Arithmetic>(block, row, sum, farthest);
+    add_log_terms<Arithmetic, kWeighted>(block, row, sum, farthest);
     return true;
   };
   add_block<Vector>(rows, add_terms, sums.sums);
@@ -79,9 +80,9 @@ QTRAJ_INLINE bool add_log_block(const SampleArrays& samples, size_t first, size_
 
 template <class Arithmetic, class Vector>
 size_t add_logs(const SampleArrays& samples, size_t first, const double (&base)[4], LogSums& sums) {
-  return do_blocks(first, samples.count, [&](size_t row, size_t rows) {
-    return samples.single ? add_log_block<Arithmetic, float, Vector>(samples, row, rows, base, sums)
-                          : add_log_block<Arithmetic, double, Vector>(samples, row, rows, base, sums);
+  return add_blocks(samples, first, [&](size_t row, size_t rows, auto real, auto is_weighted) {
+    return add_log_block<Arithmetic, decltype(real), decltype(is_weighted)::value, Vector>(samples, row, rows, base,
+                                                                                           sums);
   });
 }
 

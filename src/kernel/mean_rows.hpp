@@ -52,13 +52,13 @@ QTRAJ_INLINE void prefetch_samples(const SampleArrays& samples, size_t row) {
 
 // Samples `row`, `row` + 1, ...; false where one does not count, or is not ordinary and has a component of 2 or more.
 // Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
-template <class Real, class Number>
+template <class Real, bool kWeighted, class Number>
 QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (&q)[4], Number& weight) {
   prefetch_samples<Real, kLanesOf<Number>>(samples, row);
   if (!load_numbers<Real>({samples.q, false}, row, q)) return false;
   if (any(reaches_two(q)) && !all(is_ordinary(q))) return false;
   weight = Number(1.0);
-  if (!samples.weights) return true;
+  if constexpr (!kWeighted) return true;
   Number given[1];
   if (!load_numbers<Real>({samples.weights, false}, row, given)) return false;
   weight = Number(samples.weight_scale) * given[0];
@@ -82,20 +82,31 @@ QTRAJ_INLINE bool add_scatter_terms(const Number (&q)[4], Number weight, Number 
   return true;
 }
 
-template <class Real, class Vector>
+template <class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool add_scatter_block(const SampleArrays& samples, size_t first, size_t rows, ScatterSums& sums) {
   const auto add_terms = [&](size_t row, Vector(&sum)[10]) {
     Vector q[4], weight;
-    return load_samples<Real>(samples, first + row, q, weight) && add_scatter_terms(q, weight, sum);
+    return load_samples<Real, kWeighted>(samples, first + row, q, weight) && add_scatter_terms(q, weight, sum);
   };
   return add_block<Vector>(rows, add_terms, sums);
 }
 
+// The blocks of samples from `first` on, each by `add_block(row, rows, real, is_weighted)`: the type of the one tells
+// that of the arrays, the value of the other whether there are weights.
+template <class AddBlock>
+QTRAJ_INLINE size_t add_blocks(const SampleArrays& samples, size_t first, const AddBlock& add_block) {
+  const auto add = [&](auto real, auto is_weighted) {
+    return do_blocks(first, samples.count,
+                     [&](size_t row, size_t rows) { return add_block(row, rows, real, is_weighted); });
+  };
+  if (samples.weights) return samples.single ? add(float(), std::true_type()) : add(double(), std::true_type());
+  return samples.single ? add(float(), std::false_type()) : add(double(), std::false_type());
+}
+
 template <class Vector>
 size_t add_scatter(const SampleArrays& samples, size_t first, ScatterSums& sums) {
-  return do_blocks(first, samples.count, [&](size_t row, size_t rows) {
-    return samples.single ? add_scatter_block<float, Vector>(samples, row, rows, sums)
-                          : add_scatter_block<double, Vector>(samples, row, rows, sums);
+  return add_blocks(samples, first, [&](size_t row, size_t rows, auto real, auto is_weighted) {
+    return add_scatter_block<decltype(real), decltype(is_weighted)::value, Vector>(samples, row, rows, sums);
   });
 }
 
