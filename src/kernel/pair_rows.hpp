@@ -22,16 +22,18 @@ template <class Number>
 struct UnitWeights {
   Number from_a, from_b, cosine;
 };
+// False where an a or a b is not ordinary; one with a component of 2 and more must be.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE UnitWeights<Number> unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest) {
+QTRAJ_INLINE bool find_unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest,
+                                    UnitWeights<Number>& unit) {
   const Number one(1.0), aa = dot<Arithmetic>(a, a), bb = dot<Arithmetic>(b, b);
   const Number a_excess = aa - one, b_excess = bb - one;
-  UnitWeights<Number> unit;
   unit.from_a = inverse_root_near_one<Arithmetic>(a_excess);
   unit.from_b = inverse_root_near_one<Arithmetic>(b_excess);
   const auto a_is_near = is_near_one(a_excess), b_is_near = is_near_one(b_excess);
   const auto is_near = a_is_near & b_is_near;
   if (!all(is_near)) {
+    if (!all(is_ordinary(a)) || !all(is_ordinary(b))) return false;
     // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
     const Number inverse = one / (aa * bb);
     unit.from_a = select(is_near, unit.from_a, square_root(bb * inverse));
@@ -43,7 +45,7 @@ QTRAJ_INLINE UnitWeights<Number> unit_weights(const Number (&a)[4], const Number
     unit.from_b = select(is_opposed, -unit.from_b, unit.from_b);
     unit.cosine = select(is_opposed, -unit.cosine, unit.cosine);
   }
-  return unit;
+  return true;
 }
 
 // sin((1 - f) theta)/sin theta and sin(f theta)/sin theta (K. Shoemake, "Animating rotation with quaternion curves",
@@ -86,28 +88,93 @@ struct NlerpRow {
   }
 };
 
-template <class Curve, class Arithmetic, class Real, class Number>
-QTRAJ_INLINE bool interpolate_rows(const PairArrays& arrays, size_t row) {
-  Number a[4], b[4], fraction[1];
-  if (!load_rows<Real>(arrays.a, row, a) || !load_rows<Real>(arrays.b, row, b)) return false;
-  if (!load_fractions<Real>(arrays.fraction, row, fraction)) return false;
+// ---- Blocks of pairs ----
 
-  const UnitWeights<Number> unit = unit_weights<Arithmetic>(a, b, arrays.path == Path::shortest);
-  if (!all(Number(kLeastPairCosine) <= unit.cosine)) return false;
-  const PairWeights<Number> weights = Curve::template weights<Arithmetic>(unit.cosine, fraction[0]);
-  const Number from_a = weights.from_a * unit.from_a, from_b = weights.from_b * unit.from_b;
-  Number q[4];
-  for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
-  Curve::template normalize<Arithmetic>(q);
-  store_rows(q, static_cast<Real*>(arrays.q), row);
-  return true;
+// What one loop over a block leaves for the next: each step of a slerp waits for the one before, and a processor has
+// too few instructions under way to fill that time with other rows, which short loops do.
+struct PairBlock {
+  static constexpr size_t kRows = 32;
+  double fraction[kRows], cosine[kRows];
+  double from_a[kRows], from_b[kRows];  // first UnitWeights, then what the rows themselves are multiplied by
+};
+
+template <class Arithmetic, class Real, class Number>
+QTRAJ_INLINE bool relate_rows(const PairArrays& arrays, size_t row, Number& fraction, UnitWeights<Number>& unit) {
+  Number a[4], b[4], given[1];
+  if (!load_numbers<Real>(arrays.a, row, a) || !load_numbers<Real>(arrays.b, row, b)) return false;
+  const Number both[] = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  if (any(reaches_two(both)) && !(all(is_ordinary(a)) && all(is_ordinary(b)))) return false;
+  if (!load_fractions<Real>(arrays.fraction, row, given)) return false;
+  fraction = given[0];
+  return find_unit_weights<Arithmetic>(a, b, arrays.path == Path::shortest, unit) &&
+         all(Number(kLeastPairCosine) <= unit.cosine);
+}
+
+// How many rows from `first` on, up to `rows`, are as they must be.
+template <class Arithmetic, class Real, class Number>
+QTRAJ_INLINE size_t relate_pairs(const PairArrays& arrays, size_t first, size_t rows, PairBlock& block) {
+  size_t row = 0;
+  for (; row < rows; row += kLanesOf<Number>) {
+    Number fraction;
+    UnitWeights<Number> unit;
+    if (!relate_rows<Arithmetic, Real>(arrays, first + row, fraction, unit)) break;
+    store_lanes(fraction, &block.fraction[row]);
+    store_lanes(unit.cosine, &block.cosine[row]);
+    store_lanes(unit.from_a, &block.from_a[row]);
+    store_lanes(unit.from_b, &block.from_b[row]);
+  }
+  return row;
+}
+
+template <class Curve, class Arithmetic, class Number>
+QTRAJ_INLINE void weigh_pairs(size_t rows, PairBlock& block) {
+  for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
+    const auto load = [&](const double(&numbers)[PairBlock::kRows]) { return load_lanes(&numbers[row], Number()); };
+    const PairWeights<Number> weights = Curve::template weights<Arithmetic>(load(block.cosine), load(block.fraction));
+    store_lanes(weights.from_a * load(block.from_a), &block.from_a[row]);
+    store_lanes(weights.from_b * load(block.from_b), &block.from_b[row]);
+  }
+}
+
+template <class Curve, class Arithmetic, class Real, class Number>
+QTRAJ_INLINE void combine_pairs(const PairArrays& arrays, size_t first, size_t rows, const PairBlock& block) {
+  for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
+    Number a[4], b[4], q[4];
+    load_numbers<Real>(arrays.a, first + row, a);
+    load_numbers<Real>(arrays.b, first + row, b);
+    const Number from_a = load_lanes(&block.from_a[row], Number()), from_b = load_lanes(&block.from_b[row], Number());
+    for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
+    Curve::template normalize<Arithmetic>(q);
+    store_rows(q, static_cast<Real*>(arrays.q), first + row);
+  }
+}
+
+// How many rows from `first` on, up to `rows`, are done.
+template <class Curve, class Arithmetic, class Real, class Number>
+size_t interpolate_block(const PairArrays& arrays, size_t first, size_t rows) {
+  PairBlock block;
+  const size_t done = relate_pairs<Arithmetic, Real, Number>(arrays, first, rows, block);
+  weigh_pairs<Curve, Arithmetic, Number>(done, block);
+  combine_pairs<Curve, Arithmetic, Real, Number>(arrays, first, done, block);
+  return done;
 }
 
 template <class Curve, class Arithmetic, class Vector>
 size_t interpolate(const PairArrays& arrays, size_t first, size_t count) {
-  return do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
-    return interpolate_rows<Curve, Arithmetic, decltype(real), decltype(number)>(arrays, row);
-  });
+  const auto interpolate_all = [&](auto real) {
+    using Real = decltype(real);
+    size_t row = first;
+    while (count - row >= kLanesOf<Vector>) {
+      const size_t left = count - row,
+                   rows = left < PairBlock::kRows ? left - left % kLanesOf<Vector> : PairBlock::kRows;
+      const size_t done = interpolate_block<Curve, Arithmetic, Real, Vector>(arrays, row, rows);
+      row += done;
+      if (done < rows) break;
+    }
+    while (row < count && interpolate_block<Curve, Arithmetic, Real, double>(arrays, row, 1) > 0) ++row;
+    return row - first;
+  };
+  return arrays.single ? interpolate_all(float()) : interpolate_all(double());
 }
 
 }  // namespace
