@@ -6,21 +6,27 @@ namespace qtraj {
 namespace {
 
 // Newton's method while it converges at once: a first step of at most half the rates, each later one at most half the
-// one before. Two more steps after the one below 1e-9 reach rounding. After a step below 1e-4 its matrix is kept, while
-// steps gain at least two digits each: they cost half as much.
+// one before. After a step below 1e-4 its matrix is kept, while steps gain at least two digits each: they cost half as
+// much. From one below 1e-9 at most two more reach rounding; none is taken that would change less, as its size
+// foretells: that of the last step, less what the last step gained.
 bool converge(RateEquations& equations, double weight) {
-  constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4, kGain = 1e-2;
-  double allowed = 0.5, size = 1.0;
+  constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4, kGain = 1e-2, kRounding = 3e-17;
+  double allowed = 0.5, before = 1.0, size = 1.0;
   bool keeps_matrix = false;
   while (size >= kSmall) {
     if (!keeps_matrix && !equations.factorize(weight)) return false;
-    const double before = size;
+    before = size;
     if (!equations.step(weight, size) || size > std::max(allowed, kSmall)) return false;
     allowed = 0.5 * size;
     keeps_matrix = size < kKeepMatrix && size <= kGain * before;
   }
-  if (!keeps_matrix && !equations.factorize(weight)) return false;
-  return equations.step(weight, size) && equations.step(weight, size);
+  for (int more = 2; more > 0 && size * (size / before) > kRounding; --more) {
+    if (!keeps_matrix && !equations.factorize(weight)) return false;
+    keeps_matrix = true;
+    before = size;
+    if (!equations.step(weight, size)) return false;
+  }
+  return true;
 }
 
 // Raises the weight of beta from 0 to 1 by as much as the rates bear.

@@ -1,5 +1,6 @@
 // ROTATION_SPLINE: continuous angular acceleration, and its ends.
 #include <cstdio>
+#include <set>
 
 #include "support/derivative.hpp"
 #include "support/recording.hpp"
@@ -89,6 +90,24 @@ TEST_CASE("steps of exactly 179 degrees about changing axes converge", "[rotatio
     CAPTURE(seed);
     check_smooth(Trajectory({QTRAJ_ROTATION_SPLINE}, keys), keys);
   }
+}
+
+// The solver keeps a matrix, and stops, by the sizes of its steps: each limit is passed by a curve that grows slowly.
+TEST_CASE("alpha has no jump on either side of the solver's limits", "[rotation_spline][singular]") {
+  std::set<int32_t> iterations;
+  for (uint64_t seed = 0; seed < 20; ++seed)
+    for (double degrees = 1e-6; degrees < 179; degrees *= 1.1) {
+      Random random(seed);
+      const Keys keys = random_walk(random, 12, degrees * kDegree, 0.2, 2.0);
+      const Trajectory trajectory({QTRAJ_ROTATION_SPLINE}, keys);
+      CAPTURE(seed, degrees);
+      check_smooth(trajectory, keys);
+      iterations.insert(qtraj_iterations(trajectory.get()));
+    }
+  // the linear step and one more at the least; all numbers up to the most
+  CHECK(*iterations.begin() == 2);
+  CHECK(*iterations.rbegin() >= 6);
+  CHECK(iterations.size() == static_cast<size_t>(*iterations.rbegin() - 1));
 }
 
 TEST_CASE("a natural end has no angular acceleration", "[rotation_spline][ends]") {
