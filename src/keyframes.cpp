@@ -2,6 +2,7 @@
 
 #include <cfloat>
 
+#include "kernel/kernel.hpp"
 #include "qtraj/floating.hpp"
 #include "qtraj/knots.hpp"
 #include "qtraj/so3.hpp"
@@ -9,13 +10,38 @@
 namespace qtraj {
 namespace {
 
-Status check_keyframe(const KeyframeInput& input, size_t key) {
-  const bool finite = is_finite(input.times[key]) && input.q_wb.is_finite(key) &&
+Status check_keyframe(const KeyframeInput& input, size_t key, bool is_ordinary) {
+  const bool finite = is_finite(input.times[key]) && (is_ordinary || input.q_wb.is_finite(key)) &&
                       (!input.omega.data || input.omega.is_finite(key)) &&
                       (!input.alpha.data || input.alpha.is_finite(key));
   if (!finite) return Status::not_finite;
-  if (largest_component(input.q_wb[key]) == 0) return Status::zero_norm;
+  if (!is_ordinary && input.q_wb.is_zero(key)) return Status::zero_norm;
   return check_knot(input.times, key);
+}
+
+// Makes keys unit from `first` on, as many as the kernel does, and tells how many. In blocks, which are still in the
+// cache when their signs are looked at.
+size_t fill_units(const KeyframeInput& input, size_t first, Keyframes& keys, KeyframeReport& report) {
+  constexpr size_t kBlock = 128;
+  return kernel().rows.unit_keys({input.q_wb.data, input.q_wb.single, keys.q, keys.q_remainder}, first,
+                                 std::min(first + kBlock, input.count), report.worst_norm_error);
+}
+
+void fill_unit(const KeyframeInput& input, size_t key, Keyframes& keys, KeyframeReport& report) {
+  const Normalized normalized = normalize(input.q_wb[key]);
+  report.worst_norm_error = std::max(report.worst_norm_error, std::abs(normalized.norm - 1.0));
+  keys.set(key, normalized.unit);
+}
+
+// Gives the key the sign that continues the one before.
+void continue_sign(size_t key, Keyframes& keys, KeyframeReport& report) {
+  double neighbours = dot(load(keys.q[key - 1]), load(keys.q[key]));
+  if (neighbours < 0) {
+    keys.set(key, negate(keys[key]));
+    neighbours = -neighbours;
+    ++report.sign_flips;
+  }
+  report.least_dot = std::min(report.least_dot, neighbours);
 }
 
 }  // namespace
@@ -29,24 +55,14 @@ void Keyframes::set(size_t key, const UnitQuaternion& unit) {
 
 Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report) {
   Keyframes cleaned = keys;
+  size_t ordinary = 0;  // keys up to it that the kernel made unit
   for (size_t key = 0; key < input.count; ++key) {
-    const Status status = check_keyframe(input, key);
+    if (key >= ordinary) ordinary = key + fill_units(input, key, cleaned, report);
+    const Status status = check_keyframe(input, key, key < ordinary);
     if (status != Status::ok) return {status, key};
-
-    const Normalized normalized = normalize(input.q_wb[key]);
-    UnitQuaternion unit = normalized.unit;
-    report.worst_norm_error = std::max(report.worst_norm_error, std::abs(normalized.norm - 1.0));
-    if (key > 0) {
-      double neighbours = dot(load(keys.q[key - 1]), unit.value);
-      if (neighbours < 0) {
-        unit = negate(unit);
-        neighbours = -neighbours;
-        ++report.sign_flips;
-      }
-      report.least_dot = std::min(report.least_dot, neighbours);
-    }
     cleaned.times[key] = input.times[key];
-    cleaned.set(key, unit);
+    if (key >= ordinary) fill_unit(input, key, cleaned, report);
+    if (key > 0) continue_sign(key, cleaned, report);
   }
   return {};
 }

@@ -1,9 +1,9 @@
 #include "qtraj/log_spline.hpp"
 
 #include "qtraj/cubic_spline.hpp"
+#include "qtraj/key_rotations.hpp"
 #include "qtraj/mean.hpp"
 #include "qtraj/rotation_vector_polynomial.hpp"
-#include "qtraj/so3.hpp"
 
 namespace qtraj {
 namespace {
@@ -41,10 +41,11 @@ Status find_reference(const Construction& construction, UnitQuaternion& referenc
 Outcome fill_logs(const Construction& construction, const UnitQuaternion& reference, const Workspace& workspace) {
   const Keyframes& keys = construction.keys;
   Vector3 p = Vector3::Zero();
-  for (size_t key = 0; key < keys.count; ++key) {
-    p = unwrap(relative_rotation(reference, keys[key]), p, construction.input.epsilon());
+  const double epsilon = construction.input.epsilon();
+  for_each_rotation(reference, keys, [&](size_t key, const RelativeRotation& rotation) {
+    p = unwrap(rotation, p, epsilon);
     store(p, workspace.p[key]);
-  }
+  });
   if (!construction.options.closed()) return {};
   constexpr double kTolerance = 1e-6;
   const size_t last = keys.segments();

@@ -3,6 +3,7 @@
 #include "kernel/arithmetic.hpp"
 #include "qtraj/end_rate.hpp"
 #include "qtraj/given_rates.hpp"
+#include "qtraj/key_rotations.hpp"
 
 namespace qtraj {
 namespace {
@@ -72,11 +73,11 @@ Outcome RateEquations::fix_end(size_t knot) {
 // In loops of their own: each is a chain of operations that wait for each other, and a processor overlaps those of
 // segments only as far as it sees ahead.
 void RateEquations::prepare_segments() {
-  for (size_t i = 0; i < keys_.segments(); ++i) {
+  for_each_log(keys_, [&](size_t i, const Vector3& log) {
     RateEquation& row = rows_[end_of(i)];
-    store(Vector3(2.0 * relative_log(keys_[i], keys_[i + 1])), row.r);
+    store(Vector3(2.0 * log), row.r);
     row.h = h(i);
-  }
+  });
   for (size_t i = 0; i < keys_.segments(); ++i) {
     RateEquation& row = rows_[end_of(i)];
     const JacobianAndTurning at_end = jacobian_and_turning(load(row.r));

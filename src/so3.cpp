@@ -1,11 +1,14 @@
 #include "qtraj/so3.hpp"
 
 #include "kernel/coefficients.hpp"
+#include "kernel/relative_rotation.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/floating.hpp"
 
 namespace qtraj {
 namespace {
+
+using qtraj::dot;  // that of kernels would hide it
 
 template <std::size_t Terms>
 double polynomial(const double (&coefficients)[Terms], double x) {
@@ -48,19 +51,14 @@ Quaternion exp_map_minus_one(const Vector3& v) {
 }
 
 RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b) {
-  const Quaternion chord = difference(b, a), opposite_chord = sum(a, b);
-  const double chord_length = length(chord), opposite_length = length(opposite_chord);
-  // Im(a* b) = Im(a* (b - a)) = Im(a* (b + a)): the shorter factor loses nothing
-  const Quaternion& shorter = chord_length <= opposite_length ? chord : opposite_chord;
-  return {vector_part(multiply(conjugate(a.value), shorter)), 2.0 * atan2(chord_length, opposite_length)};
+  double a_value[4], a_error[4], b_value[4], b_error[4];
+  store(a.value, a_value), store(a.error, a_error);
+  store(b.value, b_value), store(b.error, b_error);
+  const RelativeRotationOf<double> rotation = relative_rotation_of(a_value, a_error, b_value, b_error);
+  return {load(rotation.sin_part), rotation.angle};
 }
 
-Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b) {
-  const RelativeRotation rotation = relative_rotation(a, b);
-  const double sine = length(rotation.sin_part);
-  if (sine == 0) return rotation.sin_part;
-  return (rotation.angle / sine) * rotation.sin_part;
-}
+Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b) { return log_of(relative_rotation(a, b)); }
 
 Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double epsilon) {
   const double previous_angle = length(previous);

@@ -3,7 +3,7 @@
 #include "qtraj/arc.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/end_rate.hpp"
-#include "qtraj/so3.hpp"
+#include "qtraj/key_rotations.hpp"
 #include "qtraj/squad_controls.hpp"
 
 namespace qtraj {
@@ -33,7 +33,7 @@ class HalfRates {
 
   // Fills the workspace for all keys.
   Outcome fill() const {
-    for (size_t i = 0; i < keys_.segments(); ++i) store(relative_log(keys_[i], keys_[i + 1]), workspace_.log[i]);
+    for_each_log(keys_, [&](size_t segment, const Vector3& log) { store(log, workspace_.log[segment]); });
     for (size_t key = 0; key < keys_.count; ++key) {
       Vector3 s;
       const Status status = half_rate(key, s);

@@ -31,6 +31,17 @@ struct KeyArrays {
   void* q_out;    // [4], may be q
   bool single;
 };
+struct UnitKeyArrays {
+  const void* q;  // [4]
+  bool single;
+  double (*unit)[4];
+  double (*unit_error)[4];  // what the rounding of unit left
+};
+struct RelativeRotationArrays {
+  ArrayIn a, a_error;         // [4] of double: unit quaternions and what their rounding left
+  const double *b, *b_error;  // the same
+  double (*rotation)[4];      // from a to b: sin_part and angle as qtraj/so3.hpp has them
+};
 struct SampleArrays {
   const void* q;        // [4]
   const void* weights;  // [1]; null: all 1

@@ -20,6 +20,13 @@ struct RelativeRotation {
 };
 RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b);
 
+// Its logarithm, the half-angle vector; 0 where no axis is known.
+inline Vector3 log_of(const RelativeRotation& rotation) {
+  const double sine = length(rotation.sin_part);
+  if (sine == 0) return rotation.sin_part;
+  return (rotation.angle / sine) * rotation.sin_part;
+}
+
 // log(a* b), the half-angle vector on the arc the signs give; 0 for b = a, and for b = -a, where no axis is known.
 Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b);
 

@@ -26,10 +26,16 @@ template <auto function>
 constexpr auto clean_upper = CleanUpper<function>::call;
 
 template <const RowKernels& rows>
-constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,           clean_upper<rows.nlerp>,
-                                         clean_upper<rows.rotate>,          clean_upper<rows.normalize>,
-                                         clean_upper<rows.make_continuous>, clean_upper<rows.raise_to_weights>,
-                                         clean_upper<rows.add_scatter>,     clean_upper<rows.add_logs>};
+constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,
+                                         clean_upper<rows.nlerp>,
+                                         clean_upper<rows.rotate>,
+                                         clean_upper<rows.normalize>,
+                                         clean_upper<rows.make_continuous>,
+                                         clean_upper<rows.unit_keys>,
+                                         clean_upper<rows.relative_rotations>,
+                                         clean_upper<rows.raise_to_weights>,
+                                         clean_upper<rows.add_scatter>,
+                                         clean_upper<rows.add_logs>};
 
 }  // namespace
 }  // namespace qtraj

@@ -48,6 +48,11 @@ struct RowKernels {
   // Signs continued from the row before `first`, which is done; `flips` counts the rows that are changed.
   size_t (*make_continuous)(const KeyArrays& arrays, size_t first, size_t count, size_t& flips);
 
+  // Keys made unit; worst_norm_error is raised to how far their lengths are from 1.
+  size_t (*unit_keys)(const UnitKeyArrays& arrays, size_t first, size_t count, double& worst_norm_error);
+  // All rows, as unit quaternions are ordinary.
+  size_t (*relative_rotations)(const RelativeRotationArrays& arrays, size_t first, size_t count);
+
   // Weights from the first one on, up to one that is not finite or negative; `largest` is raised to them.
   size_t (*raise_to_weights)(const SampleArrays& samples, double& largest);
   // Samples from `first` on in whole blocks (qtraj/block_sum.hpp), up to one with a sample that is not ordinary or has

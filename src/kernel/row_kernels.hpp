@@ -2,6 +2,7 @@
 #pragma once
 
 #include "continuous_rows.hpp"
+#include "keyframe_rows.hpp"
 #include "log_rows.hpp"
 #include "mean_rows.hpp"
 #include "pair_rows.hpp"
@@ -16,6 +17,8 @@ constexpr RowKernels kRowKernels = {interpolate<SlerpRow, Arithmetic, Vector>,
                                     rotate<Vector>,
                                     normalize<Vector>,
                                     make_continuous<Vector>,
+                                    unit_keys<Vector>,
+                                    relative_rotations<Vector>,
                                     raise_to_weights<Vector>,
                                     add_scatter<Vector>,
                                     add_logs<Arithmetic, Vector>};

@@ -1,0 +1,63 @@
+// What constructors need of all keyframes, many at once. Plain arithmetic: the same bits in the core and in kernels of
+// either arithmetic.
+#pragma once
+
+#include <type_traits>
+
+#include "array_rows.hpp"
+#include "relative_rotation.hpp"
+#include "unit_quaternion.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Real, class Number>
+QTRAJ_INLINE bool unit_key_rows(const UnitKeyArrays& arrays, size_t row, Number& worst_norm_error) {
+  Number q[4];
+  if (!load_rows<Real>({arrays.q, false}, row, q)) return false;
+  const UnitOf<Number> unit = unit_of(q);
+  store_rows(unit.value, arrays.unit[0], row);
+  store_rows(unit.error, arrays.unit_error[0], row);
+  const Number excess = unit.length.value - Number(1.0);
+  const Number norm_error = select(excess < Number(0.0), -excess, excess);
+  worst_norm_error = select(worst_norm_error < norm_error, norm_error, worst_norm_error);
+  return true;
+}
+
+template <class Vector>
+size_t unit_keys(const UnitKeyArrays& arrays, size_t first, size_t count, double& worst_norm_error) {
+  Vector worst_of_vectors(worst_norm_error);
+  double worst_of_rows = worst_norm_error;
+  const size_t rows = do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
+    if constexpr (std::is_same_v<decltype(number), Vector>)
+      return unit_key_rows<decltype(real)>(arrays, row, worst_of_vectors);
+    else
+      return unit_key_rows<decltype(real)>(arrays, row, worst_of_rows);
+  });
+  const double of_vectors = largest_lane(worst_of_vectors);
+  worst_norm_error = of_vectors < worst_of_rows ? worst_of_rows : of_vectors;
+  return rows;
+}
+
+template <class Number>
+QTRAJ_INLINE bool relative_rotation_rows(const RelativeRotationArrays& arrays, size_t row) {
+  Number a[4], a_error[4], b[4], b_error[4];
+  load_numbers<double>(arrays.a, row, a);
+  load_numbers<double>(arrays.a_error, row, a_error);
+  convert_rows(arrays.b, row, b);
+  convert_rows(arrays.b_error, row, b_error);
+  const RelativeRotationOf<Number> rotation = relative_rotation_of(a, a_error, b, b_error);
+  const Number numbers[] = {rotation.sin_part[0], rotation.sin_part[1], rotation.sin_part[2], rotation.angle};
+  store_rows(numbers, arrays.rotation[0], row);
+  return true;
+}
+
+template <class Vector>
+size_t relative_rotations(const RelativeRotationArrays& arrays, size_t first, size_t count) {
+  return do_rows<Vector>(false, first, count, [&](size_t row, auto number, auto) {
+    return relative_rotation_rows<decltype(number)>(arrays, row);
+  });
+}
+
+}  // namespace
+}  // namespace qtraj
