@@ -163,27 +163,27 @@ bool RateEquations::factorize(double weight) {
 
 bool RateEquations::step(double weight, double& size) {
   const System system = {rows_, unknowns_, weight};
-  ++construction_.iterations;
-  if (closed())
-    solve_cyclic(unknowns_, system, space_);
-  else
-    solve_tridiagonal(unknowns_, system, space_);
-  return apply_step(size);
-}
-
-bool RateEquations::apply_step(double& size) {
-  double fastest = 0;
-  size = 0;
-  for (size_t knot = 0; knot < unknowns_; ++knot) {
+  double largest_change = 0, fastest = 0;
+  bool within_limits = true;
+  const auto add_change = [&](size_t knot, const Vector3& x) {
     RateEquation& row = rows_[knot];
-    const Vector3 d = load(row.d) + load(space_.x[knot]), w = rate_from(row, d);
-    if (largest_component(w) > row.limit) return false;
-    size = std::max(size, largest_component(Vector3(w - load(row.w))) / scale_at(row));
+    const Vector3 d = load(row.d) + x, w = rate_from(row, d);
+    if (largest_component(w) > row.limit) {
+      within_limits = false;
+      return;
+    }
+    largest_change = std::max(largest_change, largest_component(Vector3(w - load(row.w))) / scale_at(row));
     set_rate(d, w, row);
     fastest = std::max(fastest, row.local_rate);
-  }
+  };
+  if (closed())
+    solve_cyclic(unknowns_, system, space_, add_change);
+  else
+    solve_tridiagonal(unknowns_, system, space_, add_change);
+  ++construction_.iterations;
   fastest_ = fastest;
-  return true;
+  size = largest_change;
+  return within_limits;
 }
 
 void RateEquations::save() {

@@ -9,9 +9,9 @@
 
 namespace qtraj {
 
-// Working space of the elimination and its result.
+// Working space of the elimination.
 struct BlockSpace {
-  double (*x)[3];        // [count], the solution
+  double (*x)[3];        // [count], what the rows before leave of the solution
   double (*inverse)[9];  // [count], of the pivot blocks
   double (*column)[9];   // [count]; cyclic systems only
 };
@@ -22,11 +22,12 @@ bool factorize_tridiagonal(size_t count, const System& system, const BlockSpace&
 template <class System>
 bool factorize_cyclic(size_t count, const System& system, const BlockSpace& space);
 
-// Solves for x_0 ... x_{count-1}; `space` holds what factorize left of the same lower and upper.
-template <class System>
-void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space);
-template <class System>
-void solve_cyclic(size_t count, const System& system, const BlockSpace& space);
+// Calls take(i, x_i) for each i, once all right sides have been asked for; `space` holds what factorize left of the
+// same lower and upper. In some order: the caller's use of each x is done while the next ones wait for it.
+template <class System, class Take>
+void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space, const Take& take);
+template <class System, class Take>
+void solve_cyclic(size_t count, const System& system, const BlockSpace& space, const Take& take);
 
 // ---- Implementation ----
 
@@ -45,16 +46,17 @@ bool invert_pivots(size_t first, size_t count, const System& system, const Block
   return true;
 }
 
-template <class System>
-void substitute(size_t first, size_t count, const System& system, const BlockSpace& space) {
+template <class System, class Take>
+void substitute(size_t first, size_t count, const System& system, const BlockSpace& space, const Take& take) {
   Vector3 x = Vector3::Zero();
   for (size_t i = first; i < count; ++i) {
     x = product(load_matrix(space.inverse[i]), system.right(i, x));
     store(x, space.x[i]);
   }
+  take(count - 1, x);
   for (size_t i = count - 1; i-- > first;) {
     x = load(space.x[i]) - system.upper(i) * product(load_matrix(space.inverse[i]), x);
-    store(x, space.x[i]);
+    take(i, x);
   }
 }
 
@@ -65,9 +67,9 @@ bool factorize_tridiagonal(size_t count, const System& system, const BlockSpace&
   return block::invert_pivots(0, count, system, space);
 }
 
-template <class System>
-void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space) {
-  block::substitute(0, count, system, space);
+template <class System, class Take>
+void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space, const Take& take) {
+  block::substitute(0, count, system, space, take);
 }
 
 template <class System>
@@ -93,14 +95,13 @@ bool factorize_cyclic(size_t count, const System& system, const BlockSpace& spac
   return true;
 }
 
-template <class System>
-void solve_cyclic(size_t count, const System& system, const BlockSpace& space) {
-  block::substitute(1, count, system, space);
+template <class System, class Take>
+void solve_cyclic(size_t count, const System& system, const BlockSpace& space, const Take& take) {
+  block::substitute(1, count, system, space, [&](size_t i, const Vector3& x) { store(x, space.x[i]); });
   const Vector3 right = system.right(0, load(space.x[count - 1])) - system.upper(0) * load(space.x[1]);
   const Vector3 x0 = product(load_matrix(space.inverse[0]), right);
-  store(x0, space.x[0]);
-  for (size_t i = 1; i < count; ++i)
-    store(Vector3(load(space.x[i]) + product(load_matrix(space.column[i]), x0)), space.x[i]);
+  take(0, x0);
+  for (size_t i = 1; i < count; ++i) take(i, Vector3(load(space.x[i]) + product(load_matrix(space.column[i]), x0)));
 }
 
 }  // namespace qtraj

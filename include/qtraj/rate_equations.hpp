@@ -75,7 +75,6 @@ class RateEquations {
   void prepare_segments();
   void prepare_row(size_t knot);
 
-  bool apply_step(double& size);
   double scale_at(const RateEquation& row) const;
 
   Construction& construction_;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <vector>
 
 #include "qtraj/block_tridiagonal.hpp"
@@ -43,27 +44,32 @@ System random_system(test::Random& random, size_t count) {
 
 // Storage of a solution, and the largest residual of its equations.
 struct Solution {
-  explicit Solution(size_t count) : x(3 * count), inverse(9 * count), column(9 * count) {}
+  explicit Solution(size_t count) : x(count), partial(3 * count), inverse(9 * count), column(9 * count) {}
   qtraj::BlockSpace space() {
-    return {reinterpret_cast<double(*)[3]>(x.data()), reinterpret_cast<double(*)[9]>(inverse.data()),
+    return {reinterpret_cast<double(*)[3]>(partial.data()), reinterpret_cast<double(*)[9]>(inverse.data()),
             reinterpret_cast<double(*)[9]>(column.data())};
   }
-  Vector3 at(size_t i) const { return {x[3 * i], x[3 * i + 1], x[3 * i + 2]}; }
+  // Each must be taken once.
+  auto taker() {
+    for (Vector3& row : x) row.setConstant(std::nan(""));
+    return [this](size_t i, const Vector3& value) { x[i] = std::isnan(x[i][0]) ? value : Vector3::Constant(1e300); };
+  }
 
   double residual(const System& system, bool cyclic) const {
     const std::vector<Row>& rows = system.rows;
     const size_t count = rows.size();
     double largest = 0;
     for (size_t i = 0; i < count; ++i) {
-      Vector3 rest = rows[i].right - rows[i].diagonal * at(i);
-      if (cyclic || i > 0) rest -= rows[i].lower * at((i + count - 1) % count);
-      if (cyclic || i + 1 < count) rest -= rows[i].upper * at((i + 1) % count);
+      Vector3 rest = rows[i].right - rows[i].diagonal * x[i];
+      if (cyclic || i > 0) rest -= rows[i].lower * x[(i + count - 1) % count];
+      if (cyclic || i + 1 < count) rest -= rows[i].upper * x[(i + 1) % count];
       largest = std::max(largest, rest.norm());
     }
     return largest;
   }
 
-  std::vector<double> x, inverse, column;
+  std::vector<Vector3> x;
+  std::vector<double> partial, inverse, column;
 };
 
 }  // namespace
@@ -79,9 +85,9 @@ TEST_CASE("block systems are solved to rounding, tridiagonal and cyclic", "[bloc
     // the factors serve any right side
     for (int k = 0; k < 2; ++k) {
       for (Row& row : system.rows) row.right = Vector3(random.normal(), random.normal(), random.normal());
-      qtraj::solve_tridiagonal(count, system, open.space());
+      qtraj::solve_tridiagonal(count, system, open.space(), open.taker());
       CHECK(open.residual(system, false) <= 1e-14);
-      qtraj::solve_cyclic(count, system, closed.space());
+      qtraj::solve_cyclic(count, system, closed.space(), closed.taker());
       CHECK(closed.residual(system, true) <= 1e-14);
     }
   }
