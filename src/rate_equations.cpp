@@ -1,6 +1,7 @@
 #include "qtraj/rate_equations.hpp"
 
 #include "kernel/arithmetic.hpp"
+#include "kernel/kernel.hpp"
 #include "qtraj/end_rate.hpp"
 #include "qtraj/given_rates.hpp"
 #include "qtraj/key_rotations.hpp"
@@ -70,19 +71,21 @@ Outcome RateEquations::fix_end(size_t knot) {
   return {};
 }
 
-// In loops of their own: each is a chain of operations that wait for each other, and a processor overlaps those of
-// segments only as far as it sees ahead.
+// R of the segments, and what it alone decides: many at once, and by the core what kernels leave.
 void RateEquations::prepare_segments() {
   for_each_log(keys_, [&](size_t i, const Vector3& log) {
     RateEquation& row = rows_[end_of(i)];
     store(Vector3(2.0 * log), row.r);
     row.h = h(i);
   });
-  for (size_t i = 0; i < keys_.segments(); ++i) {
-    RateEquation& row = rows_[end_of(i)];
-    const JacobianAndTurning at_end = jacobian_and_turning(load(row.r));
-    store_matrix(at_end.jacobian, row.jacobian);
-    row.turning = at_end.turning;
+  const JacobianRecords records = {rows_->r, rows_->jacobian, &rows_->turning.along_once,
+                                   sizeof(RateEquation) / sizeof(double)};
+  for (size_t knot = 0; knot < unknowns_; ++knot) {
+    knot += kernel().rows.jacobians(records, knot, unknowns_);
+    if (knot == unknowns_) break;
+    const JacobianAndTurning at_end = jacobian_and_turning(load(rows_[knot].r));
+    store_matrix(at_end.jacobian, rows_[knot].jacobian);
+    rows_[knot].turning = at_end.turning;
   }
 }
 
@@ -105,10 +108,9 @@ void RateEquations::prepare_row(size_t knot) {
 
 Outcome RateEquations::prepare() {
   if (!closed()) {
-    // before the first knot there is nothing
+    // before the first knot nothing turns
     rows_[0] = {};
     rows_[0].h = h(0);
-    store_matrix(Matrix3::Identity(), rows_[0].jacobian);
   }
   prepare_segments();
   for (size_t knot = 0; knot < unknowns_; ++knot) {

@@ -1,6 +1,6 @@
 #include "qtraj/so3.hpp"
 
-#include "kernel/coefficients.hpp"
+#include "kernel/jacobian.hpp"
 #include "kernel/relative_rotation.hpp"
 #include "qtraj/elementary.hpp"
 #include "qtraj/floating.hpp"
@@ -8,25 +8,14 @@
 namespace qtraj {
 namespace {
 
-using qtraj::dot;  // that of kernels would hide it
+// those of kernels would hide them
+using qtraj::cross;
+using qtraj::dot;
 
-template <std::size_t Terms>
-double polynomial(const double (&coefficients)[Terms], double x) {
-  double sum = coefficients[Terms - 1];
-  for (std::size_t k = Terms - 1; k-- > 0;) sum = sum * x + coefficients[k];
-  return sum;
-}
-
-// C, K, D and E of the half angle sqrt(y), from their polynomials below pi/2, where the quotients would cancel.
-struct HalfAngleFactors {
-  double c, k, d, e;
-};
-HalfAngleFactors factors_of(const Vector3& r) {
+// By polynomials below pi/2, where the quotients would cancel.
+RateFactors<double> factors_of(const Vector3& r) {
   const double y = 0.25 * dot(r, r);
-  constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
-  if (y <= kPolynomialLimit)
-    return {polynomial(CosHalf::kDouble, y), polynomial(SincHalf::kDouble, y), polynomial(DHalf::kDouble, y),
-            polynomial(EHalf::kDouble, y)};
+  if (y <= kPolynomialLimit) return polynomial_factors(y);
   const double angle = std::sqrt(y);
   const SinCos at = sin_cos(angle);
   const double k = at.sin / angle;
@@ -76,14 +65,14 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
 
 namespace {
 
-Vector3 right_jacobian(const HalfAngleFactors& f, const Vector3& r, const Vector3& d) {
+Vector3 right_jacobian(const RateFactors<double>& f, const Vector3& r, const Vector3& d) {
   // the factors go with d: for r of many turns r x (r x d) could overflow where its multiple does not
   const Vector3 first = cross(r, (0.5 * f.k * f.k) * d);
   const Vector3 second = cross(r, cross(r, (0.25 * (f.k * f.k - f.c * f.d)) * d));
   return d - first + second;
 }
 
-Vector3 inverse_right_jacobian(const HalfAngleFactors& f, const Vector3& r, const Vector3& w) {
+Vector3 inverse_right_jacobian(const RateFactors<double>& f, const Vector3& r, const Vector3& w) {
   const Vector3 once = cross(r, w);
   return w + 0.5 * once + (0.25 * f.d / f.k) * cross(r, once);
 }
@@ -96,23 +85,17 @@ Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w) {
   return inverse_right_jacobian(factors_of(r), r, w);
 }
 
-namespace {
-
-TurningFactors turning_factors(const HalfAngleFactors& f) {
-  return {0.25 * f.k * f.d, 0.0625 * (f.c * f.e - f.k * f.d), 0.25 * (f.k * f.k - f.c * f.d)};
+TurningFactors turning_factors(const Vector3& r) {
+  const TurningFactorsOf<double> turning = turning_factors_of(factors_of(r));
+  return {turning.along_once, turning.along_twice, turning.sideways};
 }
 
-}  // namespace
-
-TurningFactors turning_factors(const Vector3& r) { return turning_factors(factors_of(r)); }
-
 JacobianAndTurning jacobian_and_turning(const Vector3& r) {
-  const HalfAngleFactors f = factors_of(r);
-  JacobianAndTurning result = {Matrix3::Identity(), turning_factors(f)};
-  const double twice = result.turning.sideways;  // of r x (r x v), which is r (r.v) - |r|^2 v
-  result.jacobian += outer_product(twice * r, r) - cross_matrix((0.5 * f.k * f.k) * r);
-  result.jacobian.diagonal().array() -= twice * dot(r, r);
-  return result;
+  const RateFactors<double> f = factors_of(r);
+  const TurningFactorsOf<double> turning = turning_factors_of(f);
+  double jacobian[9];
+  jacobian_of(f, turning.sideways, {r[0], r[1], r[2]}, jacobian);
+  return {load_matrix(jacobian), {turning.along_once, turning.along_twice, turning.sideways}};
 }
 
 }  // namespace qtraj

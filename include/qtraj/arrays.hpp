@@ -42,6 +42,13 @@ struct RelativeRotationArrays {
   const double *b, *b_error;  // the same
   double (*rotation)[4];      // from a to b: sin_part and angle as qtraj/so3.hpp has them
 };
+// Numbers in records, `stride` numbers from one to the next: pointers are to those of the first record.
+struct JacobianRecords {
+  const double* r;   // [3], a rotation vector
+  double* jacobian;  // [9], Jr(r), column after column
+  double* turning;   // [3], the factors of beta
+  size_t stride;
+};
 struct SampleArrays {
   const void* q;        // [4]
   const void* weights;  // [1]; null: all 1

@@ -33,6 +33,7 @@ constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,
                                          clean_upper<rows.make_continuous>,
                                          clean_upper<rows.unit_keys>,
                                          clean_upper<rows.relative_rotations>,
+                                         clean_upper<rows.jacobians>,
                                          clean_upper<rows.raise_to_weights>,
                                          clean_upper<rows.add_scatter>,
                                          clean_upper<rows.add_logs>};

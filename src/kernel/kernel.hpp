@@ -52,6 +52,8 @@ struct RowKernels {
   size_t (*unit_keys)(const UnitKeyArrays& arrays, size_t first, size_t count, double& worst_norm_error);
   // All rows, as unit quaternions are ordinary.
   size_t (*relative_rotations)(const RelativeRotationArrays& arrays, size_t first, size_t count);
+  // Up to one that turns by more than half a turn.
+  size_t (*jacobians)(const JacobianRecords& records, size_t first, size_t count);
 
   // Weights from the first one on, up to one that is not finite or negative; `largest` is raised to them.
   size_t (*raise_to_weights)(const SampleArrays& samples, double& largest);

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "array_rows.hpp"
+#include "jacobian.hpp"
 #include "relative_rotation.hpp"
 #include "unit_quaternion.hpp"
 
@@ -57,6 +58,44 @@ size_t relative_rotations(const RelativeRotationArrays& arrays, size_t first, si
   return do_rows<Vector>(false, first, count, [&](size_t row, auto number, auto) {
     return relative_rotation_rows<decltype(number)>(arrays, row);
   });
+}
+
+// Between records and vectors that hold the same number of several records.
+template <class Number, size_t Width>
+QTRAJ_INLINE void load_strided(const double* from, size_t stride, Number (&to)[Width]) {
+  double lanes[Width][kLanesOf<Number>];
+  for (size_t lane = 0; lane < kLanesOf<Number>; ++lane)
+    for (size_t k = 0; k < Width; ++k) lanes[k][lane] = from[lane * stride + k];
+  for (size_t k = 0; k < Width; ++k) to[k] = load_lanes(lanes[k], Number());
+}
+template <class Number, size_t Width>
+QTRAJ_INLINE void store_strided(const Number (&from)[Width], double* to, size_t stride) {
+  double lanes[Width][kLanesOf<Number>];
+  for (size_t k = 0; k < Width; ++k) store_lanes(from[k], lanes[k]);
+  for (size_t lane = 0; lane < kLanesOf<Number>; ++lane)
+    for (size_t k = 0; k < Width; ++k) to[lane * stride + k] = lanes[k][lane];
+}
+
+template <class Number>
+QTRAJ_INLINE bool jacobian_rows(const JacobianRecords& records, size_t row) {
+  const size_t at = row * records.stride;
+  Number r[3], jacobian[9];
+  load_strided(records.r + at, records.stride, r);
+  const Number y = Number(0.25) * dot<Plain>(r, r);
+  if (!all(y <= Number(kPolynomialLimit))) return false;
+  const RateFactors<Number> factors = polynomial_factors(y);
+  const TurningFactorsOf<Number> turning = turning_factors_of(factors);
+  jacobian_of(factors, turning.sideways, r, jacobian);
+  store_strided(jacobian, records.jacobian + at, records.stride);
+  const Number numbers[] = {turning.along_once, turning.along_twice, turning.sideways};
+  store_strided(numbers, records.turning + at, records.stride);
+  return true;
+}
+
+template <class Vector>
+size_t jacobians(const JacobianRecords& records, size_t first, size_t count) {
+  return do_rows<Vector>(false, first, count,
+                         [&](size_t row, auto number, auto) { return jacobian_rows<decltype(number)>(records, row); });
 }
 
 }  // namespace

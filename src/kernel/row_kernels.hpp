@@ -19,6 +19,7 @@ constexpr RowKernels kRowKernels = {interpolate<SlerpRow, Arithmetic, Vector>,
                                     make_continuous<Vector>,
                                     unit_keys<Vector>,
                                     relative_rotations<Vector>,
+                                    jacobians<Vector>,
                                     raise_to_weights<Vector>,
                                     add_scatter<Vector>,
                                     add_logs<Arithmetic, Vector>};

@@ -134,3 +134,38 @@ TEST_CASE("rotations between keys are those of each pair, in every kernel", "[so
     CHECK(rotations == count);
   });
 }
+
+TEST_CASE("Jacobians are those of each rotation, in every kernel, up to half a turn", "[so3]") {
+  struct Record {
+    double before, r[3], jacobian[9], turning[3], after;
+  };
+  constexpr size_t kStride = sizeof(Record) / sizeof(double);
+  for_every_kernel_and_walk([](size_t count, int rare) {
+    test::Random random(count);
+    std::vector<Record> records(count);
+    for (Record& record : records) {
+      const bool is_far = random.uniform(0, rare) < 1;
+      const double angle = is_far                       ? random.uniform(3.1415, 6)
+                           : random.uniform(0, 1) < 0.1 ? 0
+                                                        : random.uniform(0, 3.1415);
+      const test::Vector axis = random.direction();
+      for (size_t k = 0; k < 3; ++k) record.r[k] = angle * axis[k];
+      record.before = record.after = 7;
+    }
+    size_t wrong = 0;
+    for (size_t row = 0; row < count; ++row) {
+      const size_t first = row;
+      const qtraj::JacobianRecords arrays = {records[0].r, records[0].jacobian, records[0].turning, kStride};
+      row += qtraj::kernel().rows.jacobians(arrays, row, count);
+      for (size_t done = first; done < row; ++done) {
+        const Record& record = records[done];
+        const qtraj::JacobianAndTurning expected = qtraj::jacobian_and_turning(qtraj::load(record.r));
+        wrong += !same_bits(record.jacobian, expected.jacobian.data(), sizeof record.jacobian);
+        wrong += !same_bits(record.turning, &expected.turning, sizeof record.turning);
+        wrong += record.before != 7 || record.after != 7;
+      }
+      wrong += row < count && qtraj::length(qtraj::load(records[row].r)) < 3.1415;
+    }
+    CHECK(wrong == 0);
+  });
+}
