@@ -9,7 +9,7 @@ NearestLog nearest_log(const Quaternion& base, const Quaternion& unit) {
   double from[4], to[4];
   store(base, from);
   store(unit, to);
-  RelativeOf<double> relative;
+  RelativeOf<double> relative = {};
   relate<Plain>(from, to, relative);
   const double factor = log_factor<Plain>(relative.q[0], relative.inverse), root = std::sqrt(relative.sine_squared);
   return {factor * Vector3(relative.q[1], relative.q[2], relative.q[3]), std::abs(factor) * root,

@@ -89,20 +89,23 @@ QTRAJ_INLINE bool can_convert(const float* from, size_t row, const double (&)[Wi
   return finite;
 }
 
-// Rows `row`, `row + 1`, ... of an array, or its only row that serves all; false where numbers may be not finite, and
-// `to` then is not to be used.
+// Rows `row`, `row + 1`, ... of an array, or its only row that serves all; numbers that can be converted.
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE void read_numbers(const ArrayIn& array, size_t row, Number (&to)[Width]) {
+  const Real* from = static_cast<const Real*>(array.data);
+  if (!array.repeated) return convert_rows(from, row, to);
+  double one[Width];
+  convert_rows(from, 0, one);
+  for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
+}
+
+// The same; false where numbers may be not finite, and `to` then is not to be used.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_numbers(const ArrayIn& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
-  if (!array.repeated) {
-    if (!can_convert(from, row, to)) return false;
-    convert_rows(from, row, to);
-    return true;
-  }
-  double one[Width];
-  if (!can_convert(from, 0, one)) return false;
-  convert_rows(from, 0, one);
-  for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
+  const double one[Width] = {};
+  if (array.repeated ? !can_convert(from, 0, one) : !can_convert(from, row, to)) return false;
+  read_numbers<Real>(array, row, to);
   return true;
 }
 

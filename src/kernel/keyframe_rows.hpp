@@ -43,8 +43,8 @@ size_t unit_keys(const UnitKeyArrays& arrays, size_t first, size_t count, double
 template <class Number>
 QTRAJ_INLINE bool relative_rotation_rows(const RelativeRotationArrays& arrays, size_t row) {
   Number a[4], a_error[4], b[4], b_error[4];
-  load_numbers<double>(arrays.a, row, a);
-  load_numbers<double>(arrays.a_error, row, a_error);
+  read_numbers<double>(arrays.a, row, a);
+  read_numbers<double>(arrays.a_error, row, a_error);
   convert_rows(arrays.b, row, b);
   convert_rows(arrays.b_error, row, b_error);
   const RelativeRotationOf<Number> rotation = relative_rotation_of(a, a_error, b, b_error);

@@ -140,8 +140,8 @@ template <class Curve, class Arithmetic, class Real, class Number>
 QTRAJ_INLINE void combine_pairs(const PairArrays& arrays, size_t first, size_t rows, const PairBlock& block) {
   for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
     Number a[4], b[4], q[4];
-    load_numbers<Real>(arrays.a, first + row, a);
-    load_numbers<Real>(arrays.b, first + row, b);
+    read_numbers<Real>(arrays.a, first + row, a);
+    read_numbers<Real>(arrays.b, first + row, b);
     const Number from_a = load_lanes(&block.from_a[row], Number()), from_b = load_lanes(&block.from_b[row], Number());
     for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
     Curve::template normalize<Arithmetic>(q);

@@ -116,9 +116,14 @@ TEST_CASE("cosine and sinc by doublings are right on both sides of each range", 
       const double y = fraction * quarter * (doublings == 0 ? 1 : doublings == 1 ? 4 : 16);
       const long double angle = std::sqrt(static_cast<long double>(y));
       const long double cosine = std::cos(angle), sinc = angle == 0 ? 1 : std::sin(angle) / angle;
-      const auto f = qtraj::cos_sinc<Plain>(y, doublings);
+      qtraj::CosSinc<double> f;
+      qtraj::cos_sinc<Plain>(y, doublings, f);
       const auto any = qtraj::cos_sinc_any<Plain>(y);
       CAPTURE(fraction, doublings);
+      CHECK(std::abs(static_cast<double>(f.c - cosine)) <= 2e-16 * (1 + 4 * doublings));
+      CHECK(std::abs(static_cast<double>(f.k - sinc)) <= 2e-16 * (1 + doublings));
+      qtraj::normalize_doubled<Plain>(y, f);
+      CHECK(std::abs(f.c * f.c + y * f.k * f.k - 1) <= 8e-16);
       CHECK(std::abs(static_cast<double>(f.c - cosine)) <= 2e-16 * (1 + 4 * doublings));
       CHECK(std::abs(static_cast<double>(f.k - sinc)) <= 2e-16 * (1 + doublings));
       CHECK(std::abs(static_cast<double>(any.c - cosine)) <= 4e-16);
@@ -128,20 +133,21 @@ TEST_CASE("cosine and sinc by doublings are right on both sides of each range", 
 }
 
 TEST_CASE("slerp between arcs is unit at every distance, opposite points included", "[kernel][singular]") {
+  using qtraj::Plain;
   const double p[4] = {1, 0, 0, 0};
   for (const double gap : {0.0, 1e-300, 1e-16, 1e-9, 1e-8, 3e-8, 1e-7, 1e-3, 1.0, 3.0, 3.14159}) {
     // c is pi - gap away from p
     const double c[4] = {-std::cos(gap), 0, std::sin(gap), 0};
     for (const double f : {0.0, 1e-9, 0.25, 0.5}) {
       double q[4];
-      qtraj::slerp_between<qtraj::Plain>(p, c, f, q);
+      qtraj::slerp_between<Plain>(p, c, qtraj::half_sum_squared<Plain>(p, c), f, q);
       const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
       CAPTURE(gap, f);
       CHECK(std::abs(norm - 1) <= 1e-15);
       CHECK(std::abs(q[0] - std::cos(f * (3.141592653589793 - gap))) <= 2e-8);
       const float p32[4] = {1, 0, 0, 0}, c32[4] = {static_cast<float>(c[0]), 0, static_cast<float>(c[2]), 0};
       float q32[4];
-      qtraj::slerp_between<qtraj::Plain>(p32, c32, static_cast<float>(f), q32);
+      qtraj::slerp_between<Plain>(p32, c32, qtraj::half_sum_squared<Plain>(p32, c32), static_cast<float>(f), q32);
       const float norm32 = std::sqrt(q32[0] * q32[0] + q32[1] * q32[1] + q32[2] * q32[2] + q32[3] * q32[3]);
       CHECK(std::abs(norm32 - 1) <= 5e-7f);
     }
