@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "prefetch.hpp"
 #include "times.hpp"
 #include "wide.hpp"
 
@@ -78,11 +79,10 @@ class ChunkTimes {
 
   // Asks for the times a chunk ahead of a vector's: the next chunk begins with a look at all of them.
   QTRAJ_INLINE void prefetch(size_t i) const {
-    constexpr size_t kLine = 64 / sizeof(double);
     const double* const times = source_.source().array;
     const size_t row = first_row_ + i;
     if (!times || count_ - row < kChunk + kLanes) return;
-    for (size_t k = 0; k < kLanes; k += kLine) __builtin_prefetch(times + row + kChunk + k);
+    prefetch_for_reading(times + row + kChunk, kLanes * sizeof(double));
   }
 
  private:

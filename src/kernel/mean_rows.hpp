@@ -6,6 +6,7 @@
 
 #include "block_rows.hpp"
 #include "near_one.hpp"
+#include "prefetch.hpp"
 
 namespace qtraj {
 namespace {
@@ -38,16 +39,12 @@ size_t raise_to_weights(const SampleArrays& samples, double& largest) {
 
 // ---- Sums ----
 
-// Asks for as many samples as are done at once, some blocks further on: processors do so themselves, but not beyond a
-// page, nor while the loops over a block do not read.
-constexpr size_t kRowsAhead = 3 * kBlockRows;
-
+// Asks for as many samples as are done at once, some blocks further on.
 template <class Real, size_t kRows>
 QTRAJ_INLINE void prefetch_samples(const SampleArrays& samples, size_t row) {
-  constexpr size_t kLine = 64 / sizeof(Real);
-  if (row + kRowsAhead >= samples.count) return;
-  const Real* q = static_cast<const Real*>(samples.q) + 4 * (row + kRowsAhead);
-  for (size_t at = 0; at < 4 * kRows; at += kLine) __builtin_prefetch(q + at);
+  constexpr size_t kRowsAhead = 3 * kBlockRows;
+  if (samples.count - row < kRowsAhead + kRows) return;
+  prefetch_for_reading(static_cast<const Real*>(samples.q) + 4 * (row + kRowsAhead), 4 * kRows * sizeof(Real));
 }
 
 // Samples `row`, `row` + 1, ...; false where one does not count, or is not ordinary and has a component of 2 or more.

@@ -4,6 +4,7 @@
 
 #include "array_rows.hpp"
 #include "near_one.hpp"
+#include "prefetch.hpp"
 
 namespace qtraj {
 namespace {
@@ -137,25 +138,28 @@ QTRAJ_INLINE void weigh_pairs(size_t rows, PairBlock& block) {
 }
 
 template <class Curve, class Arithmetic, class Real, class Number>
-QTRAJ_INLINE void combine_pairs(const PairArrays& arrays, size_t first, size_t rows, const PairBlock& block) {
+QTRAJ_INLINE void combine_pairs(const PairArrays& arrays, size_t first, size_t rows, size_t count,
+                                const PairBlock& block) {
+  Real* const out = static_cast<Real*>(arrays.q);
   for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
     Number a[4], b[4], q[4];
+    prefetch_output<Real, 4, kLanesOf<Number>>(out, first + row, count);
     read_numbers<Real>(arrays.a, first + row, a);
     read_numbers<Real>(arrays.b, first + row, b);
     const Number from_a = load_lanes(&block.from_a[row], Number()), from_b = load_lanes(&block.from_b[row], Number());
     for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
     Curve::template normalize<Arithmetic>(q);
-    store_rows(q, static_cast<Real*>(arrays.q), first + row);
+    store_rows(q, out, first + row);
   }
 }
 
-// How many rows from `first` on, up to `rows`, are done.
+// How many rows from `first` on, up to `rows`, are done; `count` rows are in the arrays.
 template <class Curve, class Arithmetic, class Real, class Number>
-size_t interpolate_block(const PairArrays& arrays, size_t first, size_t rows) {
+size_t interpolate_block(const PairArrays& arrays, size_t first, size_t rows, size_t count) {
   PairBlock block;
   const size_t done = relate_pairs<Arithmetic, Real, Number>(arrays, first, rows, block);
   weigh_pairs<Curve, Arithmetic, Number>(done, block);
-  combine_pairs<Curve, Arithmetic, Real, Number>(arrays, first, done, block);
+  combine_pairs<Curve, Arithmetic, Real, Number>(arrays, first, done, count, block);
   return done;
 }
 
@@ -167,11 +171,11 @@ size_t interpolate(const PairArrays& arrays, size_t first, size_t count) {
     while (count - row >= kLanesOf<Vector>) {
       const size_t left = count - row,
                    rows = left < PairBlock::kRows ? left - left % kLanesOf<Vector> : PairBlock::kRows;
-      const size_t done = interpolate_block<Curve, Arithmetic, Real, Vector>(arrays, row, rows);
+      const size_t done = interpolate_block<Curve, Arithmetic, Real, Vector>(arrays, row, rows, count);
       row += done;
       if (done < rows) break;
     }
-    while (row < count && interpolate_block<Curve, Arithmetic, Real, double>(arrays, row, 1) > 0) ++row;
+    while (row < count && interpolate_block<Curve, Arithmetic, Real, double>(arrays, row, 1, count) > 0) ++row;
     return row - first;
   };
   return arrays.single ? interpolate_all(float()) : interpolate_all(double());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "interleave.hpp"
+#include "prefetch.hpp"
 #include "rows.hpp"
 
 namespace qtraj {
@@ -12,22 +13,11 @@ struct WideRow {
   Wide<Real> q[4], omega[3], alpha[3];
 };
 
-// Asks for the lines of memory that a vector further on will be written to: a store outside the caches first reads its
-// line, and processors see late that they should.
-QTRAJ_INLINE void prefetch_for_writing(const void* to, size_t bytes) {
-#if defined(__PRFCHW__)
-  constexpr size_t kLine = 64;
-  for (size_t at = 0; at < bytes; at += kLine) __builtin_prefetch(static_cast<const char*>(to) + at, 1);
-#else
-  (void)to, (void)bytes;
-#endif
-}
-
 // Writes `rows` <= kLanes rows; all lanes may be written where as many rows are left of the output from this one on.
 template <class Real, size_t Size>
 QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, size_t rows, size_t left) {
-  constexpr size_t kLanes = Wide<Real>::kLanes, kRowsAhead = 4096 / (Size * sizeof(Real));
-  if (left >= kRowsAhead + kLanes) prefetch_for_writing(to + Size * (row + kRowsAhead), Size * kLanes * sizeof(Real));
+  constexpr size_t kLanes = Wide<Real>::kLanes;
+  prefetch_output<Real, Size, kLanes>(to, row, row + left);
   if (left >= kLanes) return store_interleaved(v, to + Size * row);
   Real lanes[Size * Wide<Real>::kLanes];
   store_interleaved(v, lanes);
