@@ -78,14 +78,16 @@ void RateEquations::prepare_segments() {
     store(Vector3(2.0 * log), row.r);
     row.h = h(i);
   });
+  static_assert(sizeof(rows_->turning) == sizeof(double[3]), "three numbers, the first along_once");
   const JacobianRecords records = {rows_->r, rows_->jacobian, &rows_->turning.along_once,
                                    sizeof(RateEquation) / sizeof(double)};
-  for (size_t knot = 0; knot < unknowns_; ++knot) {
-    knot += kernel().rows.jacobians(records, knot, unknowns_);
-    if (knot == unknowns_) break;
+  size_t knot = kernel().rows.jacobians(records, 0, unknowns_);
+  while (knot < unknowns_) {
     const JacobianAndTurning at_end = jacobian_and_turning(load(rows_[knot].r));
     store_matrix(at_end.jacobian, rows_[knot].jacobian);
     rows_[knot].turning = at_end.turning;
+    ++knot;
+    knot += kernel().rows.jacobians(records, knot, unknowns_);
   }
 }
 

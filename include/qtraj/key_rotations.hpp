@@ -6,12 +6,14 @@
 
 namespace qtraj {
 
-// From key to key, and from one orientation to each key; to the keys first, first + 1, ..., count <= kRotationBlock.
 constexpr size_t kRotationBlock = 64;
+// Rotations to the keys first, first + 1, ..., at most kRotationBlock of them.
 struct RotationBlock {
   double rows[kRotationBlock][4];  // sin_part, angle
 
+  // Each from the key before, first >= 1.
   void fill_steps(const Keyframes& keys, size_t first, size_t count);
+  // All from one orientation.
   void fill_from(const UnitQuaternion& from, const Keyframes& keys, size_t first, size_t count);
   RelativeRotation operator[](size_t row) const { return {{rows[row][0], rows[row][1], rows[row][2]}, rows[row][3]}; }
 };

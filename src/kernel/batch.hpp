@@ -59,7 +59,7 @@ class Batch {
 
   // ---- Sorted times: run by run ----
 
-  // False, and nothing done, where runs would be shorter than a vector or times are outside the knots.
+  // False, and nothing done, where runs would on average be shorter than a vector or times are outside the knots.
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
     if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;

@@ -73,8 +73,10 @@ class ChunkTimes {
       return;
     }
     const Time last(times_[end - 1]);
-    for (size_t k = 0; k < kLanes; k += kTimeLanes)
-      Time::of(hn::Min(Time::load(times_ + begin + k).lanes, last.lanes)).store(filled + k);
+    for (size_t k = 0; k < kLanes; k += kTimeLanes) {
+      const Time time = Time::load(times_ + begin + k);
+      select(time <= last, time, last).store(filled + k);
+    }
   }
 
   // Asks for the times a chunk ahead of a vector's: the next chunk begins with a look at all of them.

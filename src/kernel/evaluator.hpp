@@ -33,8 +33,8 @@ struct EvaluatorDefaults {
   // Whether the offset is the second field of the segment, rather than 1. The scale is the first.
   static constexpr bool kHasOffset = false;
 
-  // Whether vectors of a run gain by being begun before the one in front is finished: short finishes do not where much
-  // is left from the first step, or is written.
+  // Whether vectors of a run are begun before the one in front is finished (batch.hpp). Not where handing over what the
+  // first step leaves costs more than is gained.
   template <bool kWithRates>
   static constexpr bool kInTwoSteps = !kWithRates;
 

@@ -37,7 +37,8 @@ QTRAJ_INLINE Number first_nonzero(const Number (&q)[4]) {
   return first;
 }
 
-// False, and `to` is not to be used, where a q is not ordinary; one with a component of 2 and more must be.
+// False, and `to` is not to be used, where a q is not ordinary. Those with a component of 2 or more (reaches_two) the
+// caller has asked before: their squares might overflow.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], RelativeOf<Number>& to) {
   const Number one(1.0);

@@ -23,7 +23,8 @@ template <class Number>
 struct UnitWeights {
   Number from_a, from_b, cosine;
 };
-// False where an a or a b is not ordinary; one with a component of 2 and more must be.
+// False where an a or a b is not ordinary. Those with a component of 2 or more (reaches_two) the caller has asked
+// before: their squares might overflow.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE bool find_unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest,
                                     UnitWeights<Number>& unit) {

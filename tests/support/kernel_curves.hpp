@@ -41,7 +41,7 @@ inline std::vector<KernelCase> kernel_cases() {
           {log_spline("quarter turn"), 5, 0.1, 0},
           {log_spline("half turn"), 9, 1.0, 0},
           {log_spline("full turn"), 12, 2.0, 0},
-          {log_spline("any"), 40, 3.0, 0},
+          {log_spline("any"), 160, 3.0, 0},
           {{"ROTATION_SPLINE", QTRAJ_ROTATION_SPLINE}, 20, 1.5, 0},
           {{"ROTATION_QUINTIC", QTRAJ_ROTATION_QUINTIC}, 20, 1.5, 0.5},
           {{"ROTATION_QUINTIC half turn", QTRAJ_ROTATION_QUINTIC}, 20, 1.5, 10},

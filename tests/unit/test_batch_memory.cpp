@@ -12,13 +12,12 @@ using test::Request;
 
 constexpr size_t kMost = 1033;
 
-// Every tail of a vector, and counts around one chunk, two and four.
+// Every tail of a vector, and counts around half a chunk, one and two.
 std::vector<size_t> counts() {
   std::vector<size_t> all;
   for (size_t count = 0; count <= 64; ++count) all.push_back(count);
-  for (const size_t chunks : {256u, 512u, 1024u})
-    for (const size_t count : {chunks - 9, chunks - 1, chunks, chunks + 1, chunks + 7, chunks + 9})
-      all.push_back(count);
+  for (const size_t rows : {256u, 512u, 1024u})
+    for (const size_t count : {rows - 9, rows - 1, rows, rows + 1, rows + 7, rows + 9}) all.push_back(count);
   return all;
 }
 

@@ -93,6 +93,20 @@ size_t unclean_rows(size_t count) {
                  [&] { qtraj_mean_karcher(q, weights.data(), count, 0, 100, mean, nullptr, nullptr, nullptr); });
 }
 
+size_t unclean_constructions(size_t segments) {
+  test::Random random(3);
+  const test::Keys keys = test::random_walk(random, segments + 1, 1.0, 0.2, 2.0);
+  const auto construct = [&](int32_t method) {
+    return [&keys, method] {
+      qtraj_trajectory* made = nullptr;
+      qtraj_create(method, keys.times.data(), keys.q.data(), keys.times.size(), &made, nullptr);
+      qtraj_destroy(made);
+    };
+  };
+  return unclean(construct(QTRAJ_SLERP), construct(QTRAJ_SQUAD), construct(QTRAJ_LOG_SPLINE),
+                 construct(QTRAJ_ROTATION_SPLINE));
+}
+
 }  // namespace
 
 TEST_CASE("no call leaves the upper halves of vector registers in use", "[kernel]") {
@@ -112,6 +126,9 @@ TEST_CASE("no call leaves the upper halves of vector registers in use", "[kernel
         CHECK(unclean_samples<double>(curve, request) == 0);
         CHECK(unclean_samples<float>(curve, request) == 0);
       }
-    for (const size_t count : {1u, 3u, 21u}) CHECK(unclean_rows(count) == 0);
+    for (const size_t count : {1u, 3u, 21u}) {
+      CHECK(unclean_rows(count) == 0);
+      CHECK(unclean_constructions(count) == 0);
+    }
   });
 }

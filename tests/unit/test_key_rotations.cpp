@@ -17,6 +17,11 @@ using qtraj::Vector3;
 
 constexpr size_t kCounts[] = {1, 2, 3, 9, 63, 64, 65, 66, 127, 128, 129, 300};
 
+template <class Real>
+constexpr int kTinyExponents[] = {-430, -445, -500, -515, -530, -980, -1060};
+template <>
+constexpr int kTinyExponents<float>[] = {-30, -40, -60, -75, -100, -120, -140};
+
 // Keys of which one in `rare` is of a magnitude that vectors do not do, some a hair or half a turn from the one before.
 template <class Real>
 std::vector<Real> walk(size_t count, int rare) {
@@ -30,6 +35,9 @@ std::vector<Real> walk(size_t count, int rare) {
     double scale = random.uniform(0.1, 3) * (i % 3 == 0 ? -1 : 1);
     if (random.uniform(0, rare) < 1) scale *= i % 2 == 0 ? kTiny : 1 / kTiny;
     for (const double component : key) q.push_back(static_cast<Real>(scale * component));
+    // a component beside which products have errors that are no numbers any more
+    if (random.uniform(0, rare) < 1)
+      q[4 * i + i % 4] *= static_cast<Real>(std::ldexp(1.0, kTinyExponents<Real>[i % 7]));
   }
   return q;
 }

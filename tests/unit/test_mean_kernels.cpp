@@ -26,7 +26,7 @@ constexpr size_t kMost = 300;  // samples: more than two blocks
 template <class Real>
 Samples<Real> samples(Random& random, size_t count, bool weighted, int rare, bool faults) {
   constexpr double kTiny = sizeof(Real) == 4 ? 1e-37 : 1e-300, kHuge = 1 / kTiny;
-  const double factors[] = {1, kTiny, -kHuge, 1, HUGE_VAL, 0}, weights[] = {0, 1, 1e-30, -0.0, std::nan(""), -1};
+  const double factors[] = {0x1p100, kTiny, -kHuge, 3, HUGE_VAL, 0}, weights[] = {0, 1, 1e-30, -0.0, std::nan(""), -1};
   Samples<Real> all = capi::cloud<Real>(random, count, 0.3);
   for (size_t i = 0; i < count; ++i) {
     double factor = random.uniform(-2, 2), weight = random.uniform(0.1, 3);

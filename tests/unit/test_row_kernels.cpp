@@ -72,20 +72,22 @@ qtraj_status make_continuous(const float* q, size_t series, size_t length, float
   return qtraj_make_continuous_f32(q, series, length, out, flips, bad);
 }
 
-// Rows of which one in `rare` has a component that vectors do not do: of another magnitude, 0 or not finite; and of
-// which the quaternions come close to each other and to opposites.
+// Rows of which one in `rare` has a component that vectors do not do: of another magnitude, 0 or not finite. One
+// quaternion in `rare` is of another norm, and they come close to each other and to opposites.
 template <class Real>
 std::vector<Real> rows(Random& random, size_t width, int rare) {
   constexpr double kTiny = sizeof(Real) == 4 ? 1e-30 : 1e-300, kHuge = 1 / kTiny;
   const double odd[] = {0, kTiny, -kHuge, HUGE_VAL, std::nan(""), DBL_EPSILON, 1e-308, 5e-324};
+  const double norms[] = {1.99, 2, 3, -0x1p-121, 0x1p-120, 0x1p119, -0x1p120, 1e-160, 0};
   std::vector<Real> all;
   test::Quaternion q = random.orientation();
   for (size_t row = 0; row < kMost; ++row) {
     const test::Quaternion other = random.orientation();
     for (size_t k = 0; k < 4; ++k) q[k] = row % 3 == 0 ? -q[k] : row % 3 == 1 ? other[k] : q[k] + 1e-9 * other[k];
     const auto at = static_cast<size_t>(random.uniform(0, static_cast<double>(width) * rare));
+    const double norm = random.uniform(0, rare) < 1 ? norms[row % 9] : 1;
     for (size_t k = 0; k < width; ++k) {
-      double value = width == 1 ? random.uniform(0, 1) : q[k];
+      double value = width == 1 ? random.uniform(0, 1) : norm * q[k];
       if (k == at) value = width == 1 ? odd[row % 8] + 1 : value * odd[row % 8];
       all.push_back(static_cast<Real>(value));
     }
