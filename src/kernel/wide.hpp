@@ -40,7 +40,6 @@ template <class Real>
 QTRAJ_INLINE WideMask<Real> operator&(WideMask<Real> a, WideMask<Real> b) {
   return {hn::And(a.lanes, b.lanes)};
 }
-
 template <class Real>
 QTRAJ_INLINE WideMask<Real> operator|(WideMask<Real> a, WideMask<Real> b) {
   return {hn::Or(a.lanes, b.lanes)};
@@ -118,7 +117,6 @@ template <class Real>
 QTRAJ_INLINE Wide<Real> absolute(Wide<Real> a) {
   return Wide<Real>::of(hn::Abs(a.lanes));
 }
-
 template <class Real>
 QTRAJ_INLINE Wide<Real> maximum(Wide<Real> a, Wide<Real> b) {
   return Wide<Real>::of(hn::Max(a.lanes, b.lanes));

@@ -6,6 +6,7 @@
 #include "qtraj/key_rotations.hpp"
 #include "support/catch.hpp"
 #include "support/forced_kernel.hpp"
+#include "support/guarded.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -18,7 +19,7 @@ using qtraj::Vector3;
 constexpr size_t kCounts[] = {1, 2, 3, 9, 63, 64, 65, 66, 127, 128, 129, 300};
 
 template <class Real>
-constexpr int kTinyExponents[] = {-430, -445, -500, -515, -530, -980, -1060};
+constexpr int kTinyExponents[] = {-430, -515, -1000, -1008, -1016, -1030, -1040};
 template <>
 constexpr int kTinyExponents<float>[] = {-30, -40, -60, -75, -100, -120, -140};
 
@@ -49,15 +50,16 @@ struct Cleaned {
   qtraj::Keyframes keys;
 
   template <class Real>
-  explicit Cleaned(const std::vector<Real>& given) : q(given.size()), error(given.size()) {
-    const size_t count = given.size() / 4;
+  explicit Cleaned(const std::vector<Real>& given) : Cleaned(given.data(), given.size() / 4) {}
+  template <class Real>
+  Cleaned(const Real* given, size_t count) : q(4 * count), error(4 * count) {
     std::vector<double> knots;
     for (size_t i = 0; i < count; ++i) knots.push_back(static_cast<double>(i));
     times.resize(count);
     keys = {times.data(), reinterpret_cast<double(*)[4]>(q.data()), reinterpret_cast<double(*)[4]>(error.data()),
             count};
     const qtraj::KeyframeInput input = {
-        knots.data(), {given.data(), sizeof(Real) == 4}, {nullptr, false}, {nullptr, false}, count};
+        knots.data(), {given, sizeof(Real) == 4}, {nullptr, false}, {nullptr, false}, count};
     outcome = qtraj::clean_keyframes(input, keys, report);
   }
 };
@@ -88,6 +90,20 @@ void check_cleaned(const std::vector<Real>& given) {
   CHECK(cleaned.report.least_dot == least_dot);
 }
 
+template <class Real>
+void check_guarded(size_t count) {
+  test::Guarded<Real> memory(4 * 300);
+  const std::vector<Real> keys = walk<Real>(count, 50);
+  for (const bool at_end : {true, false}) {
+    memory.protect(PROT_READ | PROT_WRITE);
+    Real* given = memory.array(keys.size(), at_end);
+    std::copy(keys.begin(), keys.end(), given);
+    memory.protect(PROT_READ);
+    const Cleaned cleaned(given, count), expected(keys);
+    CHECK(same_bits(cleaned.q.data(), expected.q.data(), keys.size() * sizeof(double)));
+  }
+}
+
 template <class Check>
 void for_every_kernel_and_walk(const Check& check) {
   for (const char* target : test::kTargets) {
@@ -107,6 +123,13 @@ TEST_CASE("each key is cleaned as it is alone, in every kernel", "[keyframes]") 
   for_every_kernel_and_walk([](size_t count, int rare) {
     check_cleaned(walk<double>(count, rare));
     check_cleaned(walk<float>(count, rare));
+  });
+}
+
+TEST_CASE("constructors read nothing beside the caller's keys, in every kernel", "[keyframes]") {
+  for_every_kernel_and_walk([](size_t count, int) {
+    check_guarded<double>(count);
+    check_guarded<float>(count);
   });
 }
 
