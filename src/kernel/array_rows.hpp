@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "arithmetic.hpp"
 #include "kernel.hpp"
@@ -129,6 +130,22 @@ size_t do_rows(bool single, size_t first, size_t count, const Operation& operati
     return row - first;
   };
   return single ? do_rows_of(float()) : do_rows_of(double());
+}
+
+// The same with `operation(row, largest, real)`, which raises `largest`, of the number's type, to what it finds in
+// rows.
+template <class Vector, class Operation>
+size_t do_rows_for_largest(bool single, size_t first, size_t count, double& largest, const Operation& operation) {
+  Vector of_vectors(largest);
+  double of_rows = largest;
+  const size_t rows = do_rows<Vector>(single, first, count, [&](size_t row, auto number, auto real) {
+    if constexpr (std::is_same_v<decltype(number), Vector>)
+      return operation(row, of_vectors, real);
+    else
+      return operation(row, of_rows, real);
+  });
+  largest = maximum(largest_lane(of_vectors), of_rows);
+  return rows;
 }
 
 }  // namespace

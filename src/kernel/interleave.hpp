@@ -26,23 +26,14 @@ constexpr LaneTable<Real> alternating(size_t begin, size_t group) {
   return table;
 }
 
-// Of rows of three, for the vector of memory of that number. First the lanes of components 0 and 1, then, with these in
-// place, those of component 2.
+// Rows of three, for the vector of memory of that number: its lanes of component 1 from the second vector, then those
+// of component 2. The others come from the first vector: before, where their rows stand; then as they are in place.
 template <class Real>
-constexpr LaneTable<Real> first_two_of_three(size_t number) {
+constexpr LaneTable<Real> of_three(size_t number, size_t component) {
   LaneTable<Real> table = {};
   for (size_t lane = 0; lane < table.kLanes; ++lane) {
-    const size_t at = number * table.kLanes + lane;
-    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(at % 3 == 1 ? table.kLanes + at / 3 : at / 3);
-  }
-  return table;
-}
-template <class Real>
-constexpr LaneTable<Real> last_of_three(size_t number) {
-  LaneTable<Real> table = {};
-  for (size_t lane = 0; lane < table.kLanes; ++lane) {
-    const size_t at = number * table.kLanes + lane;
-    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(at % 3 == 2 ? table.kLanes + at / 3 : lane);
+    const size_t at = number * table.kLanes + lane, row = at / 3, other = component == 1 ? row : lane;
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(at % 3 == component ? table.kLanes + row : other);
   }
   return table;
 }
@@ -70,10 +61,9 @@ QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[4], Real* to) {
 template <class Real>
 QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
   constexpr size_t kLanes = Wide<Real>::kLanes;
-  static constexpr LaneTable<Real> kFirst[] = {first_two_of_three<Real>(0), first_two_of_three<Real>(1),
-                                               first_two_of_three<Real>(2)};
-  static constexpr LaneTable<Real> kLast[] = {last_of_three<Real>(0), last_of_three<Real>(1), last_of_three<Real>(2)};
-  for (size_t k = 0; k < 3; ++k) pick(pick(v[0], kFirst[k], v[1]), kLast[k], v[2]).store(to + k * kLanes);
+  static constexpr LaneTable<Real> kFirstTwo[] = {of_three<Real>(0, 1), of_three<Real>(1, 1), of_three<Real>(2, 1)};
+  static constexpr LaneTable<Real> kLast[] = {of_three<Real>(0, 2), of_three<Real>(1, 2), of_three<Real>(2, 2)};
+  for (size_t k = 0; k < 3; ++k) pick(pick(v[0], kFirstTwo[k], v[1]), kLast[k], v[2]).store(to + k * kLanes);
 }
 #else
 template <class Real>

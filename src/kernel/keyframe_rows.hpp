@@ -2,8 +2,6 @@
 // either arithmetic.
 #pragma once
 
-#include <type_traits>
-
 #include "array_rows.hpp"
 #include "jacobian.hpp"
 #include "relative_rotation.hpp"
@@ -31,25 +29,15 @@ QTRAJ_INLINE bool unit_key_rows(const UnitKeyArrays& arrays, size_t row, Number&
   const UnitOf<Number> unit = unit_of(q);
   store_rows(unit.value, arrays.unit[0], row);
   store_rows(unit.error, arrays.unit_error[0], row);
-  const Number excess = unit.length.value - Number(1.0);
-  const Number norm_error = select(excess < Number(0.0), -excess, excess);
-  worst_norm_error = select(worst_norm_error < norm_error, norm_error, worst_norm_error);
+  worst_norm_error = maximum(worst_norm_error, absolute(unit.length.value - Number(1.0)));
   return true;
 }
 
 template <class Vector>
 size_t unit_keys(const UnitKeyArrays& arrays, size_t first, size_t count, double& worst_norm_error) {
-  Vector worst_of_vectors(worst_norm_error);
-  double worst_of_rows = worst_norm_error;
-  const size_t rows = do_rows<Vector>(arrays.single, first, count, [&](size_t row, auto number, auto real) {
-    if constexpr (std::is_same_v<decltype(number), Vector>)
-      return unit_key_rows<decltype(real)>(arrays, row, worst_of_vectors);
-    else
-      return unit_key_rows<decltype(real)>(arrays, row, worst_of_rows);
-  });
-  const double of_vectors = largest_lane(worst_of_vectors);
-  worst_norm_error = of_vectors < worst_of_rows ? worst_of_rows : of_vectors;
-  return rows;
+  return do_rows_for_largest<Vector>(
+      arrays.single, first, count, worst_norm_error,
+      [&](size_t row, auto& worst, auto real) { return unit_key_rows<decltype(real)>(arrays, row, worst); });
 }
 
 template <class Number>

@@ -2,8 +2,6 @@
 // the same bits in all kernels. A quaternion of any ordinary norm stands for its unit one, and none is normalised.
 #pragma once
 
-#include <type_traits>
-
 #include "block_rows.hpp"
 #include "near_one.hpp"
 #include "prefetch.hpp"
@@ -18,23 +16,15 @@ QTRAJ_INLINE bool raise_to_rows(const SampleArrays& samples, size_t row, Number&
   Number weight[1];
   if (!load_numbers<Real>({samples.weights, false}, row, weight) || !all(is_finite(weight[0]))) return false;
   if (any(weight[0] < Number(0.0))) return false;
-  largest = select(largest < weight[0], weight[0], largest);
+  largest = maximum(largest, weight[0]);
   return true;
 }
 
 template <class Vector>
 size_t raise_to_weights(const SampleArrays& samples, double& largest) {
-  Vector largest_of_vectors(largest);
-  double largest_of_rows = largest;
-  const size_t rows = do_rows<Vector>(samples.single, 0, samples.count, [&](size_t row, auto number, auto real) {
-    if constexpr (std::is_same_v<decltype(number), Vector>)
-      return raise_to_rows<decltype(real)>(samples, row, largest_of_vectors);
-    else
-      return raise_to_rows<decltype(real)>(samples, row, largest_of_rows);
-  });
-  const double of_vectors = largest_lane(largest_of_vectors);
-  largest = of_vectors < largest_of_rows ? largest_of_rows : of_vectors;
-  return rows;
+  return do_rows_for_largest<Vector>(
+      samples.single, 0, samples.count, largest,
+      [&](size_t row, auto& raised, auto real) { return raise_to_rows<decltype(real)>(samples, row, raised); });
 }
 
 // ---- Sums ----
