@@ -3,6 +3,7 @@
 #include <qtraj.h>
 
 #include <array>
+#include <cfenv>
 #include <cfloat>
 #include <functional>
 
@@ -130,7 +131,7 @@ void check(const RowKernel<Real>& kernel, int rare) {
 
   std::array<GuardedRows<Real>, 3> from;
   Guarded<Real> to(4 * kMost);
-  size_t wrong = 0, wrong_outcome = 0, wrote_outside = 0;
+  size_t wrong = 0, wrong_outcome = 0, wrote_outside = 0, raised = 0;
   for (size_t count = 0; count <= kMost; ++count)
     for (const bool at_end : {true, false}) {
       std::vector<const Real*> placed;
@@ -138,7 +139,9 @@ void check(const RowKernel<Real>& kernel, int rare) {
       to.fill(0x5a);
       Real* out = to.array(kernel.output * count, at_end);
       size_t bad_index = 7;
+      std::feclearexcept(FE_ALL_EXCEPT);
       const qtraj_status status = kernel.call(placed.data(), count, out, &bad_index);
+      raised += std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) != 0;
       size_t first_bad = 0;
       while (first_bad < count && statuses[first_bad] == QTRAJ_OK) ++first_bad;
       const bool all_ok = first_bad == count;
@@ -158,6 +161,7 @@ void check(const RowKernel<Real>& kernel, int rare) {
   CHECK(wrong == 0);
   CHECK(wrong_outcome == 0);
   CHECK(wrote_outside == 0);
+  CHECK(raised == 0);
 }
 
 TEST_CASE("functions over rows give each row what it gets alone, in every kernel", "[row_kernels]") {
