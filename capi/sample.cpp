@@ -8,14 +8,6 @@ using namespace qtraj;
 
 namespace {
 
-template <class Real>
-auto kernel_sample() {
-  if constexpr (sizeof(Real) == sizeof(double))
-    return kernel().sample;
-  else
-    return kernel().sample_f32;
-}
-
 // The arrays of a call: where samples go and where their times come from.
 template <class Real>
 struct Call {
@@ -59,16 +51,8 @@ qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_inde
   const Status status = check_arrays(call, times_missing);
   if (status != Status::ok) return capi::to_c(status);
   size_t cursor = 0;
-  return capi::report(kernel_sample<Real>()(call.trajectory->core, call.times, call.count, cursor, call.outputs),
+  return capi::report(kernel().of<Real>().sample(call.trajectory->core, call.times, call.count, cursor, call.outputs),
                       bad_index);
-}
-
-template <class Real>
-auto kernel_sample_at() {
-  if constexpr (sizeof(Real) == sizeof(double))
-    return kernel().sample_at;
-  else
-    return kernel().sample_at_f32;
 }
 
 // One time by value: of its arrays only two outputs can overlap.
@@ -83,7 +67,7 @@ qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* 
     if (capi::overlap(q, omega) || capi::overlap(q, alpha) || capi::overlap(omega, alpha)) return QTRAJ_E_OVERLAP;
   }
   size_t start = 0;
-  return capi::to_c(kernel_sample_at<Real>()(trajectory->core, time, cursor ? *cursor : start, outputs));
+  return capi::to_c(kernel().of<Real>().sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
 }
 
 }  // namespace

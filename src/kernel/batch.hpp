@@ -217,5 +217,8 @@ Outcome sample_batch(const Trajectory& trajectory, const TimeSource& source, siz
   });
 }
 
+template <class Arithmetic, class Real>
+constexpr SampleKernels<Real> kBatchSamples = {sample_batch<Arithmetic, Real>, sample_at<Arithmetic, Real>};
+
 }  // namespace
 }  // namespace qtraj

@@ -25,6 +25,9 @@ struct CleanUpper<function> {
 template <auto function>
 constexpr auto clean_upper = CleanUpper<function>::call;
 
+template <class Real, const SampleKernels<Real>& samples>
+constexpr SampleKernels<Real> clean_upper_samples = {clean_upper<samples.sample>, clean_upper<samples.sample_at>};
+
 template <const RowKernels& rows>
 constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,
                                          clean_upper<rows.nlerp>,

@@ -63,22 +63,30 @@ struct RowKernels {
   size_t (*add_logs)(const SampleArrays& samples, size_t first, const double (&base)[4], LogSums& sums);
 };
 
-struct Kernel {
-  const char* target;  // instruction set and arithmetic, as qtraj_target reports it
-
+// Sampling into arrays of double or of float.
+template <class Real>
+struct SampleKernels {
   // Samples at the times. Every row is written, one at fault with NaN; the outcome is that of the first at fault.
   // `cursor`, a segment index or any other number, says where to look first and receives a segment that was used.
   Outcome (*sample)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
-                    const SampleOutputs<double>& outputs);
-  Outcome (*sample_f32)(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
-                        const SampleOutputs<float>& outputs);
-
+                    const SampleOutputs<Real>& outputs);
   // One sample.
-  Status (*sample_at)(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<double>& outputs);
-  Status (*sample_at_f32)(const Trajectory& trajectory, double time, size_t& cursor,
-                          const SampleOutputs<float>& outputs);
+  Status (*sample_at)(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs);
+};
 
+struct Kernel {
+  const char* target;  // instruction set and arithmetic, as qtraj_target reports it
+  const SampleKernels<double>& of_double;
+  const SampleKernels<float>& of_float;
   RowKernels rows;
+
+  template <class Real>
+  const SampleKernels<Real>& of() const {
+    if constexpr (sizeof(Real) == sizeof(double))
+      return of_double;
+    else
+      return of_float;
+  }
 };
 
 // The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body
@@ -89,12 +97,15 @@ struct SegmentMotion {
 bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
                     SegmentMotion& motion);
 
-// One for each instruction set. Fused arithmetic: avx2, avx512 and neon; all others are plain.
+// One for each instruction set. Fused arithmetic: avx2, avx512 and neon; all others are plain. Sampling into float is a
+// file of its own, as it takes the compiler as long as the rest.
 extern const Kernel kScalarKernel;
 #if defined(QTRAJ_X86_KERNELS)
 extern const Kernel kSsse3Kernel, kSse4Kernel, kAvx2Kernel, kAvx512Kernel;
+extern const SampleKernels<float> kSsse3FloatSamples, kSse4FloatSamples, kAvx2FloatSamples, kAvx512FloatSamples;
 #elif defined(QTRAJ_NEON_KERNEL)
 extern const Kernel kNeonKernel;
+extern const SampleKernels<float> kNeonFloatSamples;
 #endif
 
 // The kernel for this CPU.

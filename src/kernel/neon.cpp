@@ -11,11 +11,7 @@ static_assert(HWY_TARGET == HWY_NEON, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kNeonKernel = {"neon fused",
-                            sample_batch<Fused, double>,
-                            sample_batch<Fused, float>,
-                            sample_at<Fused, double>,
-                            sample_at<Fused, float>,
+const Kernel kNeonKernel = {"neon fused", kBatchSamples<Fused, double>, kNeonFloatSamples,
                             kRowKernels<Fused, Wide<double>>};
 
 }  // namespace qtraj

@@ -2,9 +2,15 @@
 #include "sample.hpp"
 
 namespace qtraj {
+namespace {
 
-const Kernel kScalarKernel = {"scalar plain",           sample<Plain, double>,   sample<Plain, float>,
-                              sample_at<Plain, double>, sample_at<Plain, float>, kRowKernels<Plain, double>};
+template <class Real>
+constexpr SampleKernels<Real> kScalarSamples = {sample<Plain, Real>, sample_at<Plain, Real>};
+
+}  // namespace
+
+const Kernel kScalarKernel = {"scalar plain", kScalarSamples<double>, kScalarSamples<float>,
+                              kRowKernels<Plain, double>};
 
 bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
                     SegmentMotion& motion) {

@@ -11,11 +11,7 @@ static_assert(HWY_TARGET == HWY_SSE4, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kSse4Kernel = {"sse4 plain",
-                            sample_batch<Plain, double>,
-                            sample_batch<Plain, float>,
-                            sample_at<Plain, double>,
-                            sample_at<Plain, float>,
+const Kernel kSse4Kernel = {"sse4 plain", kBatchSamples<Plain, double>, kSse4FloatSamples,
                             kRowKernels<Plain, Wide<double>>};
 
 }  // namespace qtraj

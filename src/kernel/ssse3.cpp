@@ -11,9 +11,8 @@ static_assert(HWY_TARGET == HWY_SSSE3, "compiled with the flags of another targe
 
 namespace qtraj {
 
-const Kernel kSsse3Kernel = {
-    "ssse3 plain",           sample_batch<Plain, double>,     sample_batch<Plain, float>, sample_at<Plain, double>,
-    sample_at<Plain, float>, kRowKernels<Plain, Wide<double>>};
+const Kernel kSsse3Kernel = {"ssse3 plain", kBatchSamples<Plain, double>, kSsse3FloatSamples,
+                             kRowKernels<Plain, Wide<double>>};
 
 }  // namespace qtraj
 

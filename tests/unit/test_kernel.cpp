@@ -102,8 +102,9 @@ TEST_CASE("every kernel has the bits of its arithmetic, sample by sample", "[ker
       if (!forced.runs_here()) continue;
       CAPTURE(c.settings.method, c.largest_step, target);
       const bool is_fused = forced.is_fused();
-      CHECK(same_bits(run<double>(qtraj::kernel().sample, trajectory, times), is_fused ? fused : plain));
-      CHECK(same_bits(run<float>(qtraj::kernel().sample_f32, trajectory, times), is_fused ? fused_f32 : plain_f32));
+      CHECK(same_bits(run<double>(qtraj::kernel().of_double.sample, trajectory, times), is_fused ? fused : plain));
+      CHECK(
+          same_bits(run<float>(qtraj::kernel().of_float.sample, trajectory, times), is_fused ? fused_f32 : plain_f32));
     }
   }
 }
