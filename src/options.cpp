@@ -31,8 +31,6 @@ void set_end(EndSetting& end, End condition) {
 
 }  // namespace
 
-bool is_known(Frame frame) { return frame == Frame::body || frame == Frame::world; }
-
 Status Options::make(Method method, Options& out) {
   if (!find_method(method)) return Status::option;
   out = Options{};

@@ -7,7 +7,7 @@
 
 namespace qtraj {
 
-bool is_known(Frame frame);
+constexpr bool is_known(Frame frame) { return frame == Frame::body || frame == Frame::world; }
 
 // What happens at one end of the keys.
 struct EndSetting {

@@ -1,4 +1,3 @@
-#include <atomic>
 #include <cstring>
 
 #include "kernel.hpp"
@@ -36,15 +35,14 @@ const Kernel& best_kernel() {
   return kScalarKernel;
 }
 
-// The kernel in use; null until it is first asked for. All threads that find it null choose the same.
-std::atomic<const Kernel*> chosen_kernel{nullptr};
-
 }  // namespace
 
-const Kernel& kernel() {
-  const Kernel* chosen = chosen_kernel.load(std::memory_order_relaxed);
-  if (!chosen) chosen_kernel.store(chosen = &best_kernel(), std::memory_order_relaxed);
-  return *chosen;
+std::atomic<const Kernel*> chosen_kernel{nullptr};
+
+const Kernel& choose_kernel() {
+  const Kernel& best = best_kernel();
+  chosen_kernel.store(&best, std::memory_order_relaxed);
+  return best;
 }
 
 bool force_kernel(const char* target) {

@@ -2,6 +2,8 @@
 // instruction set and arithmetic; one runs here.
 #pragma once
 
+#include <atomic>
+
 #include "qtraj/arrays.hpp"
 #include "qtraj/block_sum.hpp"
 #include "qtraj/trajectory.hpp"
@@ -108,8 +110,14 @@ extern const Kernel kNeonKernel;
 extern const SampleKernels<float> kNeonFloatSamples;
 #endif
 
-// The kernel for this CPU.
-const Kernel& kernel();
+// The kernel in use; null until it is first asked for. All threads that find it null choose the same, the best one that
+// this CPU runs.
+extern std::atomic<const Kernel*> chosen_kernel;
+const Kernel& choose_kernel();
+inline const Kernel& kernel() {
+  const Kernel* chosen = chosen_kernel.load(std::memory_order_relaxed);
+  return chosen ? *chosen : choose_kernel();
+}
 
 // For tests: the kernel of that name from now on, in all threads; null: the one for this CPU again. False where this
 // CPU cannot run it or there is none of the name.

@@ -12,15 +12,26 @@ struct Row {
   Real q[4], omega[3], alpha[3];
 };
 
-template <class Real, size_t Size>
-void write(const Real (&from)[Size], Real* to, size_t row) {
-  if (!to) return;
-  for (size_t k = 0; k < Size; ++k) to[Size * row + k] = from[k];
+// Calls `visit(k)` for k from 0 on. Not a loop: compilers put numbers that a loop counts through in memory, and take
+// one that copies four for a copy of 32 bytes, which waits until the four written one by one before it have arrived.
+template <class Visit, size_t... K>
+QTRAJ_INLINE void each_of(const Visit& visit, std::index_sequence<K...>) {
+  (visit(K), ...);
+}
+template <size_t Count, class Visit>
+QTRAJ_INLINE void each_of(const Visit& visit) {
+  each_of(visit, std::make_index_sequence<Count>());
 }
 
-template <class Real>
+template <class Real, size_t Size>
+void write(const Real (&from)[Size], Real* to, size_t row) {
+  if (to) each_of<Size>([&](size_t k) { to[Size * row + k] = from[k]; });
+}
+
+template <bool kWithRates, class Real>
 void write_row(const Row<Real>& from, const SampleOutputs<Real>& outputs, size_t row) {
   write(from.q, outputs.q, row);
+  if constexpr (!kWithRates) return;
   write(from.omega, outputs.omega, row);
   write(from.alpha, outputs.alpha, row);
 }

@@ -29,7 +29,7 @@ void read_segment(const Read& read, To& segment) {
   static_assert(std::is_standard_layout_v<To> && sizeof(To) % sizeof(Value) == 0);
   auto* fields = reinterpret_cast<Value*>(&segment);
   fields[0] = Value(Element<Value>(0));
-  for (size_t k = 1; k < sizeof(To) / sizeof(Value); ++k) fields[k] = read(k);
+  each_of<sizeof(To) / sizeof(Value) - 1>([&](size_t k) { fields[1 + k] = read(1 + k); });
 }
 
 // Samples one trajectory of one kind, with rates or without.
@@ -40,13 +40,9 @@ class Sampler {
   using Work = typename Evaluator::template Working<Real>;
 
   Sampler(const Evaluator& evaluator, const Trajectory& trajectory, const Wanted& wanted)
-      : evaluator_(evaluator),
-        trajectory_(trajectory),
-        wanted_(wanted),
-        index_(knot_index(trajectory)),
-        segments_(segments_of<Segment>(trajectory)) {}
+      : evaluator_(evaluator), trajectory_(trajectory), wanted_(wanted) {}
 
-  Status sample(double time, size_t& cursor, Row<Real>& row) const {
+  QTRAJ_INLINE Status sample(double time, size_t& cursor, Row<Real>& row) const {
     if (!is_finite(time)) return Status::not_finite;
     bool negate = false;
     if (time < trajectory_.before.knot || time > trajectory_.after.knot) {
@@ -57,51 +53,51 @@ class Sampler {
       time = wrapped.time;
       negate = wrapped.negate;
     }
-    cursor = find_segment(index_, time, cursor);
-    const Status status = sample_segment(cursor, time - index_.knots[cursor], row);
-    if (negate)
-      for (Real& component : row.q) component = -component;
+    const KnotIndex index = knot_index(trajectory_);
+    cursor = find_segment(index, time, cursor);
+    const Status status = sample_segment(cursor, time - index.knots[cursor], row);
+    if (negate) each_of<4>([&](size_t k) { row.q[k] = -row.q[k]; });
     return status;
   }
 
   // In a given segment, up to its very ends.
-  Status sample_segment(size_t segment, double elapsed, Row<Real>& row) const {
-    const Segment& record = segments_[segment];
+  QTRAJ_INLINE Status sample_segment(size_t segment, double elapsed, Row<Real>& row) const {
+    const Segment& record = segments_of<Segment>(trajectory_)[segment];
     const double scale = Evaluator::scale(record);
     const Work x = static_cast<Work>(parameter<Arithmetic>(elapsed, scale, Evaluator::offset(record)));
-    const auto& fields = as_work(record);
+    if constexpr (std::is_same_v<Work, double>) {
+      return evaluate_at(record, x, scale, row);
+    } else {
+      const auto* fields = reinterpret_cast<const double*>(&record);
+      typename Evaluator::template SegmentOf<Work> work;
+      read_segment<Work>([&](size_t k) { return static_cast<Work>(fields[k]); }, work);
+      return evaluate_at(work, x, scale, row);
+    }
+  }
+
+ private:
+  QTRAJ_INLINE Status evaluate_at(const typename Evaluator::template SegmentOf<Work>& segment, Work x, double scale,
+                                  Row<Real>& row) const {
     using Task = EvaluatorTask<kWithRates, true>;
     typename Evaluator::template Begun<Work> begun;
-    evaluator_.template begin<Task>(fields, x, begun);
+    evaluator_.template begin<Task>(segment, x, begun);
     Work q[4];
     bool safe = true;
     if constexpr (kWithRates) {
       Rates<Work> rates;
-      evaluator_.template finish_rates<Task>(fields, x, begun, wanted_.alpha, q, rates);
+      evaluator_.template finish_rates<Task>(segment, x, begun, wanted_.alpha, q, rates);
       safe = finish_rates<Arithmetic>(q, rates, scale, wanted_, row);
     } else {
-      evaluator_.template finish<Task>(fields, x, begun, q);
+      evaluator_.template finish<Task>(segment, x, begun, q);
     }
-    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
+    each_of<4>([&](size_t k) { row.q[k] = static_cast<Real>(q[k]); });
     return safe ? Status::ok : Status::not_finite;
-  }
-
- private:
-  static decltype(auto) as_work(const Segment& segment) {
-    if constexpr (std::is_same_v<Work, double>) {
-      return (segment);
-    } else {
-      const auto* fields = reinterpret_cast<const double*>(&segment);
-      typename Evaluator::template SegmentOf<Work> work;
-      read_segment<Work>([&](size_t k) { return static_cast<Work>(fields[k]); }, work);
-      return work;
-    }
   }
 
   Status sample_outside(const Extrapolation& side, double time, Row<Real>& row) const {
     double q[4];
     extrapolate(side, time, q);
-    for (size_t k = 0; k < 4; ++k) row.q[k] = static_cast<Real>(q[k]);
+    each_of<4>([&](size_t k) { row.q[k] = static_cast<Real>(q[k]); });
     if constexpr (kWithRates)
       if (!extrapolated_rates(wanted_.frame == Frame::world ? side.omega_world : side.omega_body, wanted_, row))
         return Status::not_finite;
@@ -111,22 +107,7 @@ class Sampler {
   const Evaluator evaluator_;
   const Trajectory& trajectory_;
   const Wanted wanted_;
-  const KnotIndex index_;
-  const Segment* segments_;
 };
-
-// Samples and writes one row, NaN where it is at fault.
-template <class Sampler, class Real>
-void sample_row(const Sampler& sampler, double time, size_t i, size_t& cursor, const SampleOutputs<Real>& outputs,
-                Outcome& outcome) {
-  Row<Real> row;
-  const Status status = sampler.sample(time, cursor, row);
-  if (status != Status::ok) {
-    row = nan_row<Real>();
-    if (outcome.status == Status::ok) outcome = {status, i};
-  }
-  write_row(row, outputs, i);
-}
 
 // Calls `with` with the evaluator of a trajectory's segments.
 template <class Arithmetic, size_t Degree, class With>
@@ -159,34 +140,51 @@ Wanted wanted_of(const SampleOutputs<Real>& outputs) {
   return {outputs.frame, outputs.omega != nullptr, outputs.alpha != nullptr};
 }
 
-// Calls `with` with the sampler that the outputs of a call need.
+// Calls `with(evaluator, with_rates)`, the latter std::true_type where the outputs of a call ask for rates.
 template <class Arithmetic, class Real, class With>
-auto with_sampler(const Trajectory& trajectory, const SampleOutputs<Real>& outputs, const With& with) {
+auto with_evaluator_for(const Trajectory& trajectory, const SampleOutputs<Real>& outputs, const With& with) {
   return with_evaluator<Arithmetic>(trajectory, [&](const auto& evaluator) {
-    using Evaluator = std::decay_t<decltype(evaluator)>;
-    const Wanted wanted = wanted_of(outputs);
-    if (wanted.omega || wanted.alpha)
-      return with(Sampler<Evaluator, Arithmetic, Real, true>(evaluator, trajectory, wanted));
-    return with(Sampler<Evaluator, Arithmetic, Real, false>(evaluator, trajectory, wanted));
+    if (outputs.omega || outputs.alpha) return with(evaluator, std::true_type());
+    return with(evaluator, std::false_type());
   });
+}
+
+// Samples and writes one row, NaN where it is at fault. A function by itself for each kind of sampler: in one for all,
+// every sample would pay for the registers that the largest needs.
+template <class Arithmetic, bool kWithRates, class Evaluator, class Real>
+__attribute__((noinline)) Status sample_row(Evaluator evaluator, const Trajectory& trajectory, double time,
+                                            size_t& cursor, const SampleOutputs<Real>& outputs, size_t i) {
+  const Sampler<Evaluator, Arithmetic, Real, kWithRates> sampler(evaluator, trajectory, wanted_of(outputs));
+  Row<Real> row;
+  const Status status = sampler.sample(time, cursor, row);
+  if (status == Status::ok)
+    write_row<kWithRates>(row, outputs, i);
+  else
+    write_row<kWithRates>(nan_row<Real>(), outputs, i);
+  return status;
+}
+
+// Of several rows, the outcome is that of the first at fault.
+inline void keep_first(Status status, size_t i, Outcome& outcome) {
+  if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
 }
 
 template <class Arithmetic, class Real>
 Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
-  return with_sampler<Arithmetic>(trajectory, outputs, [&](const auto& sampler) {
-    Outcome outcome = {Status::ok, kNoIndex};
-    sample_row(sampler, time, 0, cursor, outputs, outcome);
-    return outcome.status;
+  return with_evaluator_for<Arithmetic>(trajectory, outputs, [&](const auto& evaluator, auto with_rates) {
+    return sample_row<Arithmetic, decltype(with_rates)::value>(evaluator, trajectory, time, cursor, outputs, 0);
   });
 }
 
 template <class Arithmetic, class Real>
 Outcome sample(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
                const SampleOutputs<Real>& outputs) {
-  return with_sampler<Arithmetic>(trajectory, outputs, [&](const auto& sampler) {
+  return with_evaluator_for<Arithmetic>(trajectory, outputs, [&](const auto& evaluator, auto with_rates) {
+    constexpr bool kWithRates = decltype(with_rates)::value;
     const TimeReader times(source, count);
     Outcome outcome = {Status::ok, kNoIndex};
-    for (size_t i = 0; i < count; ++i) sample_row(sampler, times[i], i, cursor, outputs, outcome);
+    for (size_t i = 0; i < count; ++i)
+      keep_first(sample_row<Arithmetic, kWithRates>(evaluator, trajectory, times[i], cursor, outputs, i), i, outcome);
     return outcome;
   });
 }
