@@ -28,7 +28,7 @@ class ChunkTimes {
       generate();
       times_ = buffer_;
     }
-    return all_finite() && is_sorted();
+    return are_in_order();
   }
 
   size_t rows() const { return rows_; }
@@ -120,15 +120,32 @@ class ChunkTimes {
     return finite;
   }
 
-  // Finite times.
-  bool is_sorted() const {
-    WideMask<double> sorted = Time(0.0) <= Time(0.0);
-    size_t i = 0;
-    for (; i + kTimeLanes < rows_; i += kTimeLanes)
-      sorted = sorted & (Time::load(times_ + i) <= Time::load(times_ + i + 1));
-    bool rest = true;
-    for (; i + 1 < rows_; ++i) rest = rest && times_[i] <= times_[i + 1];
-    return rest && all(sorted);
+  // Whether a number of `a` has greater bits than that of `b`, as signed integers.
+  QTRAJ_INLINE static WideMask<double> is_above_by_bits(Time a, Time b) {
+    const hn::RebindToSigned<Time::Tag> bits;
+    return {hn::RebindMask(Time::Tag(), hn::Gt(hn::BitCast(bits, a.lanes), hn::BitCast(bits, b.lanes)))};
+  }
+
+  // Whether `is_above(a, b)` is true of no time a and the one after it, b.
+  template <class IsAbove>
+  QTRAJ_INLINE bool none_is(const IsAbove& is_above) const {
+    WideMask<double> found = Time(1.0) <= Time(0.0);
+    const size_t pairs = rows_ - 1;
+    const auto look = [&](size_t i) { found = found | is_above(Time::load(times_ + i), Time::load(times_ + i + 1)); };
+    for (size_t i = 0; i + kTimeLanes <= pairs; i += kTimeLanes) look(i);
+    if (pairs >= kTimeLanes) {
+      look(pairs - kTimeLanes);
+    } else {
+      for (size_t i = 0; i < pairs; ++i) found = found | is_above(Time(times_[i]), Time(times_[i + 1]));
+    }
+    return !any(found);
+  }
+
+  // Whether all times are finite and none is before the one before it. From 0 on that is the order of their bits, in
+  // which infinity and NaN come last and negative numbers never: half the work.
+  bool are_in_order() const {
+    if (!__builtin_signbit(times_[0])) return none_is(is_above_by_bits) && is_finite(times_[rows_ - 1]);
+    return all_finite() && none_is([](Time a, Time b) { return b < a; });
   }
 
   const TimeReader& source_;

@@ -119,6 +119,37 @@ TEST_CASE("sorted times of any density give the bits of each sample alone", "[ba
   });
 }
 
+TEST_CASE("a time that falls anywhere among increasing ones gives the bits of each sample alone", "[batch][bits]") {
+  // before, across and after 0, and zeros of either sign in either order
+  constexpr size_t kCount = 75;
+  for (const double start : {-100.0, -2.0, 0.0, 3.0}) {
+    const KernelCurve curve =
+        test::kernel_curve(test::kernel_cases()[0], QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD, start);
+    const double length = curve.knots[3] - curve.knots[1];
+    std::vector<double> increasing;
+    for (size_t i = 0; i < kCount; ++i)
+      increasing.push_back(curve.knots[1] + length * static_cast<double>(i) / static_cast<double>(kCount));
+    test::for_every_kernel([&](const char*) {
+      CAPTURE(start);
+      size_t different = 0;
+      for (size_t at = 0; at + 1 < kCount; ++at) {
+        std::vector<std::vector<double>> batches(3, increasing);
+        std::swap(batches[0][at], batches[0][at + 1]);
+        std::fill(batches[1].begin(), batches[1].begin() + static_cast<ptrdiff_t>(at), 0.0);
+        batches[1][at] = -0.0;
+        batches[2][at] = curve.knots[0];
+        for (const std::vector<double>& times : batches) {
+          OwnRows<double> expected = test::one_by_one<double>(curve.get(), test::kRequests[0], times),
+                          rows(kCount, test::kRequests[0]);
+          sample(curve.get(), test::kRequests[0], times.data(), kCount, rows.arrays());
+          different += different_rows(rows.arrays(), expected.arrays(), kCount);
+        }
+      }
+      CHECK(different == 0);
+    });
+  }
+}
+
 TEST_CASE("any order of the times of a batch gives the same bits", "[batch][bits]") {
   constexpr size_t kCount = 600;  // two chunks
   for_every_call([](const KernelCurve& curve, const Request& request, auto zero) {

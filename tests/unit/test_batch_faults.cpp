@@ -120,6 +120,23 @@ TEST_CASE("a time at fault spoils its own row only, at every place in a vector",
   });
 }
 
+TEST_CASE("faults are found among times before, across and after zero", "[batch][errors]") {
+  // a chunk that begins with 0 or later is looked at by its bits
+  for (const double start : {-100.0, -2.0, -0.0, 0.0, 3.0}) {
+    const KernelCurve curve =
+        test::kernel_curve(test::kernel_cases()[0], QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_ERROR, start);
+    test::for_every_kernel([&](const char*) {
+      CAPTURE(start);
+      for (const bool in_order : {true, false}) {
+        check_single_faults<double>(curve, test::kRequests[0], in_order);
+        check_single_faults<float>(curve, test::kRequests[0], in_order);
+      }
+      check_many_faults<double>(curve, test::kRequests[0]);
+      check_many_faults<float>(curve, test::kRequests[0]);
+    });
+  }
+}
+
 namespace {
 
 // Six keys every `step` seconds and six every second: rates of the first are past the range of Real where it is said
@@ -170,7 +187,8 @@ TEST_CASE("no kernel disturbs the floating-point environment, whatever the times
                                                  {QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE},
                                                  {QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_HOLD}};
   for (const auto& rule : outside) {
-    const std::vector<KernelCurve> curves = test::kernel_curves(rule.first, rule.second);
+    std::vector<KernelCurve> curves = test::kernel_curves(rule.first, rule.second);
+    curves.push_back(test::kernel_curve(test::kernel_cases()[0], rule.first, rule.second, 3.0));
     test::for_every_kernel([&](const char*) {
       for (const KernelCurve& curve : curves) {
         const std::vector<FaultyTime> faults = faulty_times(curve.knots);
