@@ -59,14 +59,17 @@ class Batch {
 
   // ---- Sorted times: run by run ----
 
-  // False, and nothing done, where runs would on average be shorter than a vector or times are outside the knots.
+  // Rows of a run from which it takes less time than as many with a segment for each lane.
+  static constexpr size_t kLeastRun = kWithRates ? kLanes : kLanes / 2;
+
+  // False, and nothing done, where runs would on average be shorter or times are outside the knots.
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
     if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;
     const size_t first = find_segment(index_, times_[0], cursor);
     const size_t last = find_segment(index_, times_[rows - 1], first);
     cursor = last;
-    if ((last - first) * kLanes >= rows) return false;
+    if ((last - first) * kLeastRun >= rows) return false;
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {
       const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
       if (begin < end) sample_run(segment, begin, end);
