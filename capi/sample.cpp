@@ -8,6 +8,14 @@ using namespace qtraj;
 
 namespace {
 
+template <class Real>
+const SampleKernels<Real>& sample_kernels() {
+  if constexpr (sizeof(Real) == sizeof(double))
+    return kernel().of_double;
+  else
+    return kernel().of_float;
+}
+
 // The arrays of a call: where samples go and where their times come from.
 template <class Real>
 struct Call {
@@ -51,8 +59,8 @@ qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_inde
   const Status status = check_arrays(call, times_missing);
   if (status != Status::ok) return capi::to_c(status);
   size_t cursor = 0;
-  return capi::report(kernel().of<Real>().sample(call.trajectory->core, call.times, call.count, cursor, call.outputs),
-                      bad_index);
+  return capi::report(
+      sample_kernels<Real>().sample(call.trajectory->core, call.times, call.count, cursor, call.outputs), bad_index);
 }
 
 // One time by value: of its arrays only two outputs can overlap.
@@ -67,7 +75,7 @@ qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* 
     if (capi::overlap(q, omega) || capi::overlap(q, alpha) || capi::overlap(omega, alpha)) return QTRAJ_E_OVERLAP;
   }
   size_t start = 0;
-  return capi::to_c(kernel().of<Real>().sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
+  return capi::to_c(sample_kernels<Real>().sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ static_assert(HWY_TARGET == HWY_AVX2, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kAvx2Kernel = {"avx2 fused", clean_upper_samples<double, kBatchSamples<Fused, double>>, kAvx2FloatSamples,
+const Kernel kAvx2Kernel = {"avx2 fused", clean_upper_samples<kBatchSamples<Fused, double>>, kAvx2FloatSamples,
                             clean_upper_rows<kRowKernels<Fused, Wide<double>>>};
 
 }  // namespace qtraj

@@ -10,7 +10,7 @@ static_assert(HWY_TARGET == HWY_AVX2, "compiled with the flags of another target
 
 namespace qtraj {
 
-const SampleKernels<float> kAvx2FloatSamples = clean_upper_samples<float, kBatchSamples<Fused, float>>;
+const SampleKernels<float> kAvx2FloatSamples = clean_upper_samples<kBatchSamples<Fused, float>>;
 
 }  // namespace qtraj
 

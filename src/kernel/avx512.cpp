@@ -12,8 +12,8 @@ static_assert(HWY_TARGET == HWY_AVX3, "compiled with the flags of another target
 
 namespace qtraj {
 
-const Kernel kAvx512Kernel = {"avx512 fused", clean_upper_samples<double, kBatchSamples<Fused, double>>,
-                              kAvx512FloatSamples, clean_upper_rows<kRowKernels<Fused, Wide<double>>>};
+const Kernel kAvx512Kernel = {"avx512 fused", clean_upper_samples<kBatchSamples<Fused, double>>, kAvx512FloatSamples,
+                              clean_upper_rows<kRowKernels<Fused, Wide<double>>>};
 
 }  // namespace qtraj
 

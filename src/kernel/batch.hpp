@@ -59,8 +59,8 @@ class Batch {
 
   // ---- Sorted times: run by run ----
 
-  // Rows of a run from which it takes less time than as many with a segment for each lane.
-  static constexpr size_t kLeastRun = kWithRates ? kLanes : kLanes / 2;
+  // Rows from which a run takes less time than as many with a segment for each lane.
+  static constexpr size_t kLeastRun = kWithRates || kLanes < 4 ? kLanes : kLanes / 2;
 
   // False, and nothing done, where runs would on average be shorter or times are outside the knots.
   bool sample_runs(size_t& cursor) {

@@ -5,6 +5,8 @@
 
 #include <immintrin.h>
 
+#include <type_traits>
+
 #include "kernel.hpp"
 
 namespace qtraj {
@@ -25,8 +27,9 @@ struct CleanUpper<function> {
 template <auto function>
 constexpr auto clean_upper = CleanUpper<function>::call;
 
-template <class Real, const SampleKernels<Real>& samples>
-constexpr SampleKernels<Real> clean_upper_samples = {clean_upper<samples.sample>, clean_upper<samples.sample_at>};
+template <const auto& samples>
+constexpr std::decay_t<decltype(samples)> clean_upper_samples = {clean_upper<samples.sample>,
+                                                                 clean_upper<samples.sample_at>};
 
 template <const RowKernels& rows>
 constexpr RowKernels clean_upper_rows = {clean_upper<rows.slerp>,

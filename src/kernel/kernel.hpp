@@ -81,14 +81,6 @@ struct Kernel {
   const SampleKernels<double>& of_double;
   const SampleKernels<float>& of_float;
   RowKernels rows;
-
-  template <class Real>
-  const SampleKernels<Real>& of() const {
-    if constexpr (sizeof(Real) == sizeof(double))
-      return of_double;
-    else
-      return of_float;
-  }
 };
 
 // The curve of one segment, up to its very ends, in plain arithmetic: what diagnostics are made of. Rates in the body
@@ -100,7 +92,7 @@ bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed
                     SegmentMotion& motion);
 
 // One for each instruction set. Fused arithmetic: avx2, avx512 and neon; all others are plain. Sampling into float is a
-// file of its own, as it takes the compiler as long as the rest.
+// file of its own, as it takes the compiler more than half as long as the rest.
 extern const Kernel kScalarKernel;
 #if defined(QTRAJ_X86_KERNELS)
 extern const Kernel kSsse3Kernel, kSse4Kernel, kAvx2Kernel, kAvx512Kernel;
@@ -114,7 +106,7 @@ extern const SampleKernels<float> kNeonFloatSamples;
 // this CPU runs.
 extern std::atomic<const Kernel*> chosen_kernel;
 const Kernel& choose_kernel();
-inline const Kernel& kernel() {
+static inline const Kernel& kernel() {
   const Kernel* chosen = chosen_kernel.load(std::memory_order_relaxed);
   return chosen ? *chosen : choose_kernel();
 }

@@ -12,8 +12,8 @@ struct Row {
   Real q[4], omega[3], alpha[3];
 };
 
-// Calls `visit(k)` for k from 0 on. Not a loop: compilers put numbers that a loop counts through in memory, and take
-// one that copies four for a copy of 32 bytes, which waits until the four written one by one before it have arrived.
+// Calls `visit(k)` for each k below Count. Not a loop: GCC 12 keeps an array that a loop counts through in memory, and
+// makes one that copies four numbers a copy of 32 bytes, which has to wait for the four stores that wrote them.
 template <class Visit, size_t... K>
 QTRAJ_INLINE void each_of(const Visit& visit, std::index_sequence<K...>) {
   (visit(K), ...);
@@ -31,9 +31,10 @@ void write(const Real (&from)[Size], Real* to, size_t row) {
 template <bool kWithRates, class Real>
 void write_row(const Row<Real>& from, const SampleOutputs<Real>& outputs, size_t row) {
   write(from.q, outputs.q, row);
-  if constexpr (!kWithRates) return;
-  write(from.omega, outputs.omega, row);
-  write(from.alpha, outputs.alpha, row);
+  if constexpr (kWithRates) {
+    write(from.omega, outputs.omega, row);
+    write(from.alpha, outputs.alpha, row);
+  }
 }
 
 template <class Real>

@@ -25,6 +25,7 @@ std::vector<FaultyTime> faulty_times(const std::vector<double>& knots) {
   const double quiet = std::numeric_limits<double>::quiet_NaN();
   std::vector<FaultyTime> all = {{"NaN", quiet, QTRAJ_E_NOT_FINITE},
                                  {"signalling NaN", 0, QTRAJ_E_NOT_FINITE},
+                                 {"-NaN", std::copysign(quiet, -1.0), QTRAJ_E_NOT_FINITE},
                                  {"infinity", kInfinity, QTRAJ_E_NOT_FINITE},
                                  {"-infinity", -kInfinity, QTRAJ_E_NOT_FINITE},
                                  {"largest", DBL_MAX, QTRAJ_E_TIME_RANGE},
@@ -58,14 +59,15 @@ bool is_nan_row(const Arrays<Real>& rows, size_t row) {
   return all_nan(at.q, 4) && all_nan(at.omega, 3) && all_nan(at.alpha, 3);
 }
 
-// One fault at every place of the batch in turn, all faults in turn at each.
+// One fault at every place of the batch from that one on in turn, all faults in turn at each.
 template <class Real>
-void check_single_faults(const KernelCurve& curve, const Request& request, bool in_order) {
-  const std::vector<double> good = times_within(curve.knots, 41, in_order);
+void check_single_faults(const KernelCurve& curve, const Request& request, bool in_order, size_t count = 41,
+                         size_t from = 0) {
+  const std::vector<double> good = times_within(curve.knots, count, in_order);
   OwnRows<Real> expected = test::one_by_one<Real>(curve.get(), request, good);
   for (const FaultyTime& fault : faulty_times(curve.knots)) {
     size_t wrong = 0;
-    for (size_t at = 0; at < good.size(); ++at) {
+    for (size_t at = from; at < good.size(); ++at) {
       std::vector<double> times = good;
       std::memcpy(&times[at], &fault.time, sizeof(double));
       OwnRows<Real> rows(good.size(), request);
@@ -122,15 +124,18 @@ TEST_CASE("a time at fault spoils its own row only, at every place in a vector",
 
 TEST_CASE("faults are found among times before, across and after zero", "[batch][errors]") {
   // a chunk that begins with 0 or later is looked at by its bits
-  for (const double start : {-100.0, -2.0, -0.0, 0.0, 3.0}) {
+  for (const double start : {-100.0, -2.0, 0.0, 3.0}) {
     const KernelCurve curve =
         test::kernel_curve(test::kernel_cases()[0], QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_ERROR, start);
     test::for_every_kernel([&](const char*) {
       CAPTURE(start);
       for (const bool in_order : {true, false}) {
-        check_single_faults<double>(curve, test::kRequests[0], in_order);
-        check_single_faults<float>(curve, test::kRequests[0], in_order);
+        check_single_faults<double>(curve, test::kRequests[0], in_order, 43);
+        check_single_faults<float>(curve, test::kRequests[0], in_order, 43);
       }
+      // a last chunk of a few rows
+      for (size_t count = 513; count <= 530; ++count)
+        check_single_faults<double>(curve, test::kRequests[0], true, count, 511);
       check_many_faults<double>(curve, test::kRequests[0]);
       check_many_faults<float>(curve, test::kRequests[0]);
     });
@@ -195,7 +200,7 @@ TEST_CASE("no kernel disturbs the floating-point environment, whatever the times
         for (const bool in_order : {true, false}) {
           std::vector<double> times = times_within(curve.knots, 300, in_order);
           for (size_t i = 0; i < 7 * faults.size(); ++i)
-            std::memcpy(&times[5 * i + i % 4], &faults[i % faults.size()].time, sizeof(double));
+            std::memcpy(&times[1 + 4 * i + i % 4], &faults[i % faults.size()].time, sizeof(double));
           for (const Request& request : test::kRequests) {
             CAPTURE(curve.name, request.q, request.omega, request.alpha, request.frame, in_order);
             OwnRows<double> rows(times.size(), request);
