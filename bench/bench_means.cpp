@@ -14,8 +14,7 @@ const std::vector<double>& cluster_of(size_t count) {
     const test::Quaternion center = random.orientation();
     std::vector<double> q;
     for (size_t i = 0; i < count; ++i)
-      for (const double component : test::multiply(center, test::about(random.direction(), random.uniform(0.0, 2.0))))
-        q.push_back(component);
+      for (const double component : test::multiply(center, test::turn_within(random, 2.0))) q.push_back(component);
     return q;
   };
   return kept(all, make, count);

@@ -33,9 +33,7 @@ Sampled sample(const Segment& segment, const std::vector<double>& fractions) {
 // Keys at a hard angle, controls within an eighth of a turn of them, all of any norm.
 Segment hard_segment(Random& random) {
   const Quaternion q0 = test::hard_orientation(random), q1 = test::hard_neighbour(random, q0);
-  const auto near = [&](const Quaternion& q) {
-    return test::multiply(q, test::about(random.direction(), random.uniform(0, 0.8)));
-  };
+  const auto near = [&](const Quaternion& q) { return test::multiply(q, test::turn_within(random, 0.8)); };
   const auto norm = [&] { return test::hard_norm(random, 160); };
   return {test::scaled(norm(), q0), test::scaled(norm(), q1), test::scaled(norm(), near(q0)),
           test::scaled(norm(), near(q1))};

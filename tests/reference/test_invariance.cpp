@@ -38,7 +38,7 @@ Curve random_curve(const Variant& variant, uint64_t seed) {
   } else {
     double time = random.uniform(-5.0, 5.0);
     for (size_t key = 0; key < count; ++key, time += random.uniform(0.2, 2.0))
-      curve.keys.add(time, multiply(centre, test::about(random.direction(), random.uniform(0.0, 1.2))));
+      curve.keys.add(time, multiply(centre, test::turn_within(random, 1.2)));
   }
   if (variant.is_closed()) {
     if (walk) curve.keys = random_walk(random, 4, 1.0, 0.2, 2.0);  // comes back in a step of less than half a turn

@@ -33,8 +33,7 @@ Keys tour(size_t count) {
   Random random(21);
   const Quaternion centre = random.orientation();
   std::vector<Quaternion> orientations;
-  for (int i = 0; i < 64; ++i)
-    orientations.push_back(test::multiply(centre, test::about(random.direction(), random.uniform(0.0, 0.6))));
+  for (int i = 0; i < 64; ++i) orientations.push_back(test::multiply(centre, test::turn_within(random, 0.6)));
   Keys keys;
   keys.times.reserve(count);
   keys.q.reserve(4 * count);

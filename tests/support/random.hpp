@@ -57,6 +57,12 @@ inline Quaternion about(const Vector& axis, double angle) {
   return {std::cos(0.5 * angle), axis[0] * s, axis[1] * s, axis[2] * s};
 }
 
+// A turn by at most `largest` rad. One draw a statement: compilers take arguments of a call in different orders.
+inline Quaternion turn_within(Random& random, double largest) {
+  const double angle = random.uniform(0.0, largest);
+  return about(random.direction(), angle);
+}
+
 // q v q*.
 inline Vector rotate(const Quaternion& q, const Vector& v) {
   const Quaternion turned = multiply(multiply(q, {0, v[0], v[1], v[2]}), {q[0], -q[1], -q[2], -q[3]});
@@ -82,7 +88,7 @@ inline Keys random_walk(Random& random, size_t count, double largest_step, doubl
   for (size_t key = 0; key < count; ++key) {
     keys.add(time, q);
     time += random.uniform(shortest, longest);
-    q = multiply(q, about(random.direction(), random.uniform(0.0, largest_step)));
+    q = multiply(q, turn_within(random, largest_step));
   }
   return keys;
 }

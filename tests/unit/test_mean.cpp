@@ -23,7 +23,7 @@ TEST_CASE("the scatter's top eigenvector satisfies its equation to rounding", "[
     Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
     const test::Quaternion center = random.orientation();
     for (int i = 0; i < 12; ++i) {
-      const test::Quaternion q = test::multiply(center, test::about(random.direction(), random.uniform(0, 1.5)));
+      const test::Quaternion q = test::multiply(center, test::turn_within(random, 1.5));
       const Quaternion sample = (i % 2 == 0 ? 1.0 : -1.0) * Quaternion(q[0], q[1], q[2], q[3]);
       const double weight = random.uniform(0, 2);
       scatter.add(sample, weight);
