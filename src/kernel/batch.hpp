@@ -59,7 +59,8 @@ class Batch {
 
   // ---- Sorted times: run by run ----
 
-  // Rows from which a run takes less time than as many with a segment for each lane.
+  // Rows from which a run takes less time than as many with a segment for each lane. Half a vector, but a whole one
+  // with rates and where half would be a single row.
   static constexpr size_t kLeastRun = kWithRates || kLanes < 4 ? kLanes : kLanes / 2;
 
   // False, and nothing done, where runs would on average be shorter or times are outside the knots.
