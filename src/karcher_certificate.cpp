@@ -1,6 +1,7 @@
 #include "qtraj/karcher_certificate.hpp"
 
 #include "qtraj/elementary.hpp"
+#include "qtraj/error_free.hpp"
 
 namespace qtraj {
 namespace {
@@ -8,9 +9,23 @@ namespace {
 constexpr double kHalfPi = 0.5 * kPi;
 constexpr int kSteps = 64;
 
+// dbar.
+double mean_distance(const WeightedOrientations& samples, const Quaternion& mean, double sum_of_weights) {
+  double sum = 0, error = 0;
+  for (size_t sample = 0; sample < samples.count; ++sample) {
+    const double weight = samples.weight(sample);
+    if (weight == 0) continue;
+    const Exact next = two_sum(sum, weight * nearest_log(mean, samples.unit(sample)).angle);
+    sum = next.value;
+    error += next.error;
+  }
+  return (sum + error) / sum_of_weights;
+}
+
 // S, at least `tie`: every orientation with an f as small is within it.
-double search_radius(const Spectrum& spectrum, const Quaternion& mean, const LogMoments& at_mean, double epsilon) {
-  double radius = 2.0 * at_mean.distances / at_mean.weight;
+double search_radius(const Spectrum& spectrum, const Quaternion& mean, const LogMoments& at_mean, double distance,
+                     double epsilon) {
+  double radius = 2.0 * distance;
   const double rms_cosine = sin_cos(at_mean.root_mean_square()).cos;
   const double t = rms_cosine * rms_cosine - 1e-12;
   const double first = spectrum.values[0] / spectrum.sum_of_weights;
@@ -72,9 +87,12 @@ bool rises_all_the_way(const Profile& profile, double slope_at_mean) {
 bool is_global_minimum(const WeightedOrientations& samples, const Spectrum& spectrum, const Quaternion& mean,
                        const LogMoments& at_mean) {
   const double tie = 64.0 * samples.epsilon();
-  if (2.0 * at_mean.farthest < kHalfPi - tie) return true;
-  if (at_mean.farthest + 2.0 * at_mean.distances / at_mean.weight < kHalfPi - tie) return true;
-  const double radius = search_radius(spectrum, mean, at_mean, samples.epsilon());
+  const double left = kHalfPi - tie - at_mean.farthest;  // to pi/2
+  if (at_mean.farthest < left) return true;
+  if (2.0 * at_mean.root_mean_square() < left) return true;  // dbar, which costs a pass, is no larger
+  const double distance = mean_distance(samples, mean, at_mean.weight);
+  if (2.0 * distance < left) return true;
+  const double radius = search_radius(spectrum, mean, at_mean, distance, samples.epsilon());
   return rises_all_the_way(profile_of(samples, mean, radius), length(at_mean.logs));
 }
 

@@ -20,11 +20,10 @@ struct NearestLog {
 NearestLog nearest_log(const Quaternion& base, const Quaternion& unit);
 
 struct LogMoments {
-  double weight;     // W
-  double squares;    // f
-  double distances;  // sum w d
-  double farthest;   // largest d of a sample that has weight
-  Vector3 logs;      // sum w r, the steepest descent of f/2
+  double weight;    // W
+  double squares;   // f
+  double farthest;  // largest d of a sample that has weight
+  Vector3 logs;     // sum w r, the steepest descent of f/2
   // Of f/2 in the tangent space at m, body axes: sum w [u u^T + d cot d (I - u u^T)], u = r/d. On the unit sphere S^3
   // d^2/2 has the second derivative 1 along r and d cot d, in [0, 1], across: positive definite but for samples at
   // pi/2.

@@ -33,11 +33,11 @@ struct SampleOutputs {
 
 // Sums over samples of weight w above 0. Scatter: the upper triangle of sum w q q^T, q made unit, row by row.
 using ScatterSums = BlockSum<10>;
-// In the notation of qtraj/log_moments.hpp: W, f, sum w d, sum w r, the upper triangle of sum w (1 - d cot d) u u^T;
-// largest d.
+// In the notation of qtraj/log_moments.hpp: W, f, sum w r, the upper triangle of sum w (1 - d cot d) u u^T; largest
+// d^2.
 struct LogSums {
-  BlockSum<12> sums;
-  double farthest = 0;
+  BlockSum<11> sums;
+  double largest_square = 0;
 };
 
 // Functions over rows. Each does rows from `first` on and returns how many: up to `count`, or to one that is not

@@ -11,10 +11,16 @@ namespace {
 // What one loop over the rows of a block leaves for the next: each step of the logs waits long for the one before, and
 // a processor has too few instructions under way to fill that time with other rows.
 struct LogBlock {
-  double relative[4][kBlockRows], weight[kBlockRows], sine[kBlockRows];
-  double factor[kBlockRows];  // first RelativeOf::inverse, then log_factor
-  double bend[kBlockRows];    // first RelativeOf::sine_squared, then (1 - d cot d) over it
+  double vector[3][kBlockRows], sine_squared[kBlockRows], weight[kBlockRows];
+  double factor[kBlockRows];  // first RelativeOf::inverse, then what makes logs of the vectors
+  double bend[kBlockRows];    // first versine, then (1 - d cot d) / sine_squared
 };
+
+// Half of what the loops over the rows of a block ask for ahead: the other loop gives the memory time for the rest.
+template <class Real, class Vector>
+QTRAJ_INLINE void prefetch_half(const SampleArrays& samples, size_t first, size_t row) {
+  prefetch_samples<Real, kLanesOf<Vector> / 2>(samples, first + row / 2);
+}
 
 template <class Arithmetic, class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool relate_block(const SampleArrays& samples, size_t first, size_t rows, const double (&base)[4],
@@ -23,42 +29,43 @@ QTRAJ_INLINE bool relate_block(const SampleArrays& samples, size_t first, size_t
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
     Vector q[4], weight;
     RelativeOf<Vector> to;
+    prefetch_half<Real, Vector>(samples, first, row);
     if (!load_samples<Real, kWeighted>(samples, first + row, q, weight) || !relate<Arithmetic>(from, q, to))
       return false;
-    for (size_t k = 0; k < 4; ++k) store_lanes(to.q[k], &block.relative[k][row]);
+    for (size_t k = 0; k < 3; ++k) store_lanes(to.q[k + 1], &block.vector[k][row]);
     if constexpr (kWeighted) store_lanes(weight, &block.weight[row]);
-    store_lanes(square_root(to.sine_squared), &block.sine[row]);
+    store_lanes(to.sine_squared, &block.sine_squared[row]);
     store_lanes(to.inverse, &block.factor[row]);
-    store_lanes(to.sine_squared, &block.bend[row]);
+    store_lanes(versine<Arithmetic>(to), &block.bend[row]);
   }
   return true;
 }
 
-template <class Arithmetic, class Vector>
-QTRAJ_INLINE void find_log_factors(size_t rows, LogBlock& block) {
+template <class Arithmetic, class Real, class Vector>
+QTRAJ_INLINE void find_log_factors(const SampleArrays& samples, size_t first, size_t rows, LogBlock& block) {
+  const Vector one(1.0);
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
-    const Vector real = load_lanes(&block.relative[0][row], Vector());
-    const Vector factor = log_factor<Arithmetic>(real, load_lanes(&block.factor[row], Vector()));
-    store_lanes(factor, &block.factor[row]);
-    // factor real = d cot d; where sin d is 0 so is the vector, whatever it is multiplied by
-    const Vector sine_squared = load_lanes(&block.bend[row], Vector()) + Vector(0x1p-700);
-    store_lanes(Arithmetic::multiply_add(-factor, real, Vector(1.0)) / sine_squared, &block.bend[row]);
+    prefetch_half<Real, Vector>(samples, first + rows / 2, row);
+    const Vector versine = load_lanes(&block.bend[row], Vector()), ratio = angle_over_sine<Arithmetic>(versine);
+    // where sin d is 0 so is the vector, whatever it is multiplied by
+    const Vector sine_squared = load_lanes(&block.sine_squared[row], Vector()) + Vector(0x1p-700);
+    store_lanes(ratio * load_lanes(&block.factor[row], Vector()), &block.factor[row]);
+    store_lanes(Arithmetic::multiply_add(ratio, versine - one, one) / sine_squared, &block.bend[row]);
   }
 }
 
-// Adds w, w d^2, w d, w r and w (1 - d cot d) u u^T, u = r/d.
+// Adds w, w d^2, w r and w (1 - d cot d) u u^T, u = r/d.
 template <class Arithmetic, bool kWeighted, class Vector>
-QTRAJ_INLINE void add_log_terms(const LogBlock& block, size_t row, Vector (&sum)[12], Vector& farthest) {
+QTRAJ_INLINE void add_log_terms(const LogBlock& block, size_t row, Vector (&sum)[11], Vector& largest_square) {
   const auto load = [&](const double(&numbers)[kBlockRows]) { return load_lanes(&numbers[row], Vector()); };
   const Vector weight = kWeighted ? load(block.weight) : Vector(1.0), factor = load(block.factor);
-  const Vector x = load(block.relative[1]), y = load(block.relative[2]), z = load(block.relative[3]);
+  const Vector x = load(block.vector[0]), y = load(block.vector[1]), z = load(block.vector[2]);
 
-  const Vector angle = absolute(factor) * load(block.sine), toward = weight * factor;
+  const Vector angle_squared = factor * factor * load(block.sine_squared), toward = weight * factor;
   const Vector along = weight * load(block.bend), from_x = along * x, from_y = along * y, from_z = along * z;
-  farthest = maximum(farthest, angle);
-  const Vector left[] = {weight, weight * angle, weight, toward, toward, toward,
-                         from_x, from_x,         from_x, from_y, from_y, from_z};
-  const Vector right[] = {Vector(1.0), angle, angle, x, y, z, x, y, z, y, z, z};
+  largest_square = maximum(largest_square, angle_squared);
+  const Vector left[] = {weight, weight, toward, toward, toward, from_x, from_x, from_x, from_y, from_y, from_z};
+  const Vector right[] = {Vector(1.0), angle_squared, x, y, z, x, y, z, y, z, z};
   add_products<Arithmetic>(left, right, sum);
 }
 
@@ -67,14 +74,14 @@ QTRAJ_INLINE bool add_log_block(const SampleArrays& samples, size_t first, size_
                                 LogSums& sums) {
   LogBlock block;
   if (!relate_block<Arithmetic, Real, kWeighted, Vector>(samples, first, rows, base, block)) return false;
-  find_log_factors<Arithmetic, Vector>(rows, block);
-  Vector farthest(sums.farthest);
-  const auto add_terms = [&](size_t row, Vector(&sum)[12]) {
-    add_log_terms<Arithmetic, kWeighted>(block, row, sum, farthest);
+  find_log_factors<Arithmetic, Real, Vector>(samples, first, rows, block);
+  Vector largest_square(sums.largest_square);
+  const auto add_terms = [&](size_t row, Vector(&sum)[11]) {
+    add_log_terms<Arithmetic, kWeighted>(block, row, sum, largest_square);
     return true;
   };
   add_block<Vector>(rows, add_terms, sums.sums);
-  sums.farthest = largest_lane(farthest);
+  sums.largest_square = largest_lane(largest_square);
   return true;
 }
 

@@ -29,7 +29,7 @@ size_t raise_to_weights(const SampleArrays& samples, double& largest) {
 
 // ---- Sums ----
 
-// Asks for as many samples as are done at once, some blocks further on.
+// Asks for kRows samples some blocks further on than `row`.
 template <class Real, size_t kRows>
 QTRAJ_INLINE void prefetch_samples(const SampleArrays& samples, size_t row) {
   constexpr size_t kRowsAhead = 3 * kBlockRows;
@@ -41,7 +41,6 @@ QTRAJ_INLINE void prefetch_samples(const SampleArrays& samples, size_t row) {
 // Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
 template <class Real, bool kWeighted, class Number>
 QTRAJ_INLINE bool load_samples(const SampleArrays& samples, size_t row, Number (&q)[4], Number& weight) {
-  prefetch_samples<Real, kLanesOf<Number>>(samples, row);
   if (!load_numbers<Real>({samples.q, false}, row, q)) return false;
   if (any(reaches_two(q)) && !all(is_ordinary(q))) return false;
   weight = Number(1.0);
@@ -73,6 +72,7 @@ template <class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool add_scatter_block(const SampleArrays& samples, size_t first, size_t rows, ScatterSums& sums) {
   const auto add_terms = [&](size_t row, Vector(&sum)[10]) {
     Vector q[4], weight;
+    prefetch_samples<Real, kLanesOf<Vector>>(samples, first + row);
     return load_samples<Real, kWeighted>(samples, first + row, q, weight) && add_scatter_terms(q, weight, sum);
   };
   return add_block<Vector>(rows, add_terms, sums);

@@ -57,11 +57,16 @@ QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], Relative
   return true;
 }
 
-// d / (|q| sin d): what makes a log of the vector part. d / sin d is a polynomial in 1 - cos d and needs no case of its
-// own where d is 0.
+// 1 - cos d.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE Number log_factor(Number real, Number inverse) {
-  return inverse * evaluate<Arithmetic, AcosRatio>(Arithmetic::multiply_add(-real, inverse, Number(1.0)));
+QTRAJ_INLINE Number versine(const RelativeOf<Number>& to) {
+  return Arithmetic::multiply_add(-to.q[0], to.inverse, Number(1.0));
+}
+
+// d / sin d; times RelativeOf::inverse it makes a log of the vector part. A polynomial, without a case for d = 0.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE Number angle_over_sine(Number versine) {
+  return evaluate<Arithmetic, AcosRatio>(versine);
 }
 
 }  // namespace

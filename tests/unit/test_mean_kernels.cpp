@@ -146,8 +146,8 @@ void check_in_every_kernel() {
 // All that a pass over the samples adds up.
 Bits bits_of_sums(const qtraj::LogSums& of) {
   Bits bits;
-  add_bits(bits, of.farthest);
-  for (size_t term = 0; term < 12; ++term) add_bits(bits, of.sums.value(term));
+  add_bits(bits, of.largest_square);
+  for (size_t term = 0; term < 11; ++term) add_bits(bits, of.sums.value(term));
   return bits;
 }
 
