@@ -32,8 +32,8 @@ struct LogMoments {
   double root_mean_square() const { return std::sqrt(squares / weight); }
 };
 
-// The pass over the samples; those of weight 0 are left out. Each sum is good to 8 eps of its terms, the Hessian to as
-// much of W. Bits are of the two kinds, fused and plain.
+// The pass over the samples; those of weight 0 are left out. Beyond the errors of r each sum is good to 8 eps of its
+// terms; the Hessian is to 8 eps of W. Bits are of the two kinds, fused and plain.
 LogMoments log_moments(const WeightedOrientations& samples, const Quaternion& base);
 
 }  // namespace qtraj

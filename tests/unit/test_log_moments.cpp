@@ -5,6 +5,8 @@
 #include "qtraj/so3.hpp"
 #include "support/capi_means.hpp"
 #include "support/catch.hpp"
+#include "support/hard_inputs.hpp"
+#include "support/kernel_curves.hpp"
 #include "support/long_double.hpp"
 
 namespace {
@@ -19,6 +21,47 @@ qtraj::WeightedOrientations orientations(const capi::Samples<double>& samples) {
   REQUIRE((result.scale_weights() && result.first_fault().status == qtraj::Status::ok));
   return result;
 }
+
+// LogMoments in long double, with the sum of distances and the weight of samples of which r and -r are both right.
+struct WideMoments {
+  wide::Real weight = 0, squares = 0, distances = 0, farthest = 0, undecided = 0;
+  wide::Vector logs = {};
+  std::array<wide::Real, 9> hessian = {};
+
+  void add(const Quaternion& base, const Quaternion& sample, wide::Real w) {
+    wide::Quaternion relative =
+        wide::multiply(wide::conjugate(wide::quaternion(base.data())), wide::quaternion(sample.data()));
+    if (relative[0] < 0) relative = wide::scaled(-1, relative);
+    const wide::Vector r = wide::log(relative);
+    const wide::Real d = wide::norm(r), across = d == 0 ? 1 : d * std::cos(d) / std::sin(d);
+    if (relative[0] < 1e-15L * wide::norm(relative)) undecided += w;
+    weight += w, squares += w * d * d, distances += w * d, farthest = std::max(farthest, d);
+    logs = wide::sum(logs, wide::scaled(w, r));
+    for (size_t k = 0; k < 9; ++k) {
+      const wide::Real along = d == 0 ? 0 : r[k / 3] / d * (r[k % 3] / d);
+      hessian[k] += w * (along + across * ((k % 4 == 0 ? 1 : 0) - along));
+    }
+  }
+};
+
+// Largest errors of sums over the sum of their terms, where an error of 1e-15 rad of each r does not explain them; the
+// Hessian's over W, and that of the largest d.
+struct MomentErrors {
+  double weight = 0, squares = 0, farthest = 0, logs = 0, hessian = 0;
+
+  void raise(const qtraj::LogMoments& at, const WideMoments& expected) {
+    const wide::Real of_r = 1e-15L, of_squares = of_r * (2 * expected.distances + of_r * expected.weight),
+                     of_logs = of_r * expected.weight + 2 * wide::kPi * expected.undecided;
+    const auto raise_to = [](double& largest, wide::Real error) {
+      if (!(error <= largest)) largest = std::isnan(error) ? HUGE_VAL : static_cast<double>(error);
+    };
+    raise_to(weight, std::abs(at.weight - expected.weight) / expected.weight);
+    raise_to(squares, (std::abs(at.squares - expected.squares) - of_squares) / expected.squares);
+    raise_to(farthest, std::abs(at.farthest - expected.farthest));
+    raise_to(logs, (wide::error(at.logs.data(), expected.logs) - of_logs) / expected.distances);
+    raise_to(hessian, wide::error(at.hessian.data(), expected.hessian) / expected.weight);
+  }
+};
 
 }  // namespace
 
@@ -89,4 +132,30 @@ TEST_CASE("the moments' logs and Hessian are the derivatives of f/2", "[means]")
       if (i != 3) farthest = std::max(farthest, qtraj::nearest_log(m, all.unit(i)).angle);
     CHECK(std::abs(at.farthest - farthest) <= 1e-15);
   }
+}
+
+TEST_CASE("moments keep their bounds in every kernel, from equal samples to half a turn", "[means]") {
+  test::for_every_kernel([](const char*) {
+    test::Random random(4);
+    MomentErrors worst;
+    for (int set = 0; set < 400; ++set) {
+      const test::Quaternion base = random.orientation();
+      const auto count = static_cast<size_t>(random.uniform(1, set % 2 == 0 ? 10 : 400));
+      const double norm = set % 4 < 2 ? 1.0 : std::pow(10.0, random.uniform(-5, 5));
+      capi::Samples<double> samples;
+      for (size_t i = 0; i < count; ++i) {
+        test::Quaternion q = test::hard_neighbour(random, base);
+        while (set % 4 > 0 && std::abs(wide::dot(base, q)) < 1e-15L) q = test::hard_neighbour(random, base);
+        samples.add(test::scaled(norm, q), random.uniform(0, 1));
+      }
+      const qtraj::WeightedOrientations all = orientations(samples);
+      const Quaternion m = quaternion(base);
+      WideMoments expected;
+      for (size_t i = 0; i < count; ++i) expected.add(m, all.q[i], all.weight(i));
+      worst.raise(qtraj::log_moments(all, m), expected);
+    }
+    const double bound = 8 * DBL_EPSILON;
+    CHECK((worst.weight <= bound && worst.squares <= bound && worst.logs <= bound && worst.hessian <= bound));
+    CHECK(worst.farthest <= 1e-15);
+  });
 }
