@@ -9,7 +9,7 @@ namespace {
 constexpr double kHalfPi = 0.5 * kPi;
 constexpr int kSteps = 64;
 
-// dbar.
+// dbar, by a pass over the samples; the error of the sum itself is below that of its terms.
 double mean_distance(const WeightedOrientations& samples, const Quaternion& mean, double sum_of_weights) {
   double sum = 0, error = 0;
   for (size_t sample = 0; sample < samples.count; ++sample) {
@@ -23,9 +23,9 @@ double mean_distance(const WeightedOrientations& samples, const Quaternion& mean
 }
 
 // S, at least `tie`: every orientation with an f as small is within it.
-double search_radius(const Spectrum& spectrum, const Quaternion& mean, const LogMoments& at_mean, double distance,
+double search_radius(const Spectrum& spectrum, const Quaternion& mean, const LogMoments& at_mean, double dbar,
                      double epsilon) {
-  double radius = 2.0 * distance;
+  double radius = 2.0 * dbar;
   const double rms_cosine = sin_cos(at_mean.root_mean_square()).cos;
   const double t = rms_cosine * rms_cosine - 1e-12;
   const double first = spectrum.values[0] / spectrum.sum_of_weights;
@@ -45,7 +45,7 @@ struct Profile {
   double far[kSteps + 1];        // weight of samples that may have been passed at pi/2
 };
 
-// The pass over the samples.
+// By a pass over the samples.
 Profile profile_of(const WeightedOrientations& samples, const Quaternion& mean, double radius) {
   const double tie = 64.0 * samples.epsilon();
   Profile profile = {};
@@ -87,12 +87,12 @@ bool rises_all_the_way(const Profile& profile, double slope_at_mean) {
 bool is_global_minimum(const WeightedOrientations& samples, const Spectrum& spectrum, const Quaternion& mean,
                        const LogMoments& at_mean) {
   const double tie = 64.0 * samples.epsilon();
-  const double left = kHalfPi - tie - at_mean.farthest;  // to pi/2
-  if (at_mean.farthest < left) return true;
-  if (2.0 * at_mean.root_mean_square() < left) return true;  // dbar, which costs a pass, is no larger
-  const double distance = mean_distance(samples, mean, at_mean.weight);
-  if (2.0 * distance < left) return true;
-  const double radius = search_radius(spectrum, mean, at_mean, distance, samples.epsilon());
+  const double room = kHalfPi - tie - at_mean.farthest;
+  if (at_mean.farthest < room) return true;
+  if (2.0 * at_mean.root_mean_square() < room) return true;  // dbar, which costs a pass, is no larger
+  const double dbar = mean_distance(samples, mean, at_mean.weight);
+  if (2.0 * dbar < room) return true;
+  const double radius = search_radius(spectrum, mean, at_mean, dbar, samples.epsilon());
   return rises_all_the_way(profile_of(samples, mean, radius), length(at_mean.logs));
 }
 

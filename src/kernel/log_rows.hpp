@@ -16,10 +16,11 @@ struct LogBlock {
   double bend[kBlockRows];    // first versine, then (1 - d cot d) / sine_squared
 };
 
-// Half of what the loops over the rows of a block ask for ahead: the other loop gives the memory time for the rest.
+// Two loops over a block ask for rows ahead by turns, for every other vector of them: memory then works during both.
 template <class Real, class Vector>
-QTRAJ_INLINE void prefetch_half(const SampleArrays& samples, size_t first, size_t row) {
-  prefetch_samples<Real, kLanesOf<Vector> / 2>(samples, first + row / 2);
+QTRAJ_INLINE void prefetch_by_turns(const SampleArrays& samples, size_t first, size_t row, size_t loop) {
+  constexpr size_t kLanes = kLanesOf<Vector>;
+  if (row / kLanes % 2 == loop) prefetch_samples<Real, kLanes>(samples, first + row);
 }
 
 template <class Arithmetic, class Real, bool kWeighted, class Vector>
@@ -29,14 +30,14 @@ QTRAJ_INLINE bool relate_block(const SampleArrays& samples, size_t first, size_t
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
     Vector q[4], weight;
     RelativeOf<Vector> to;
-    prefetch_half<Real, Vector>(samples, first, row);
+    prefetch_by_turns<Real, Vector>(samples, first, row, 0);
     if (!load_samples<Real, kWeighted>(samples, first + row, q, weight) || !relate<Arithmetic>(from, q, to))
       return false;
     for (size_t k = 0; k < 3; ++k) store_lanes(to.q[k + 1], &block.vector[k][row]);
     if constexpr (kWeighted) store_lanes(weight, &block.weight[row]);
     store_lanes(to.sine_squared, &block.sine_squared[row]);
     store_lanes(to.inverse, &block.factor[row]);
-    store_lanes(versine<Arithmetic>(to), &block.bend[row]);
+    store_lanes(versine_of<Arithmetic>(to), &block.bend[row]);
   }
   return true;
 }
@@ -45,9 +46,9 @@ template <class Arithmetic, class Real, class Vector>
 QTRAJ_INLINE void find_log_factors(const SampleArrays& samples, size_t first, size_t rows, LogBlock& block) {
   const Vector one(1.0);
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
-    prefetch_half<Real, Vector>(samples, first + rows / 2, row);
-    const Vector versine = load_lanes(&block.bend[row], Vector()), ratio = angle_over_sine<Arithmetic>(versine);
-    // where sin d is 0 so is the vector, whatever it is multiplied by
+    prefetch_by_turns<Real, Vector>(samples, first, row, 1);
+    const Vector versine = load_lanes(&block.bend[row], Vector()), ratio = angle_ratio<Arithmetic>(versine);
+    // ratio cos d = d cot d; where sin d is 0 so is the vector, whatever it is multiplied by
     const Vector sine_squared = load_lanes(&block.sine_squared[row], Vector()) + Vector(0x1p-700);
     store_lanes(ratio * load_lanes(&block.factor[row], Vector()), &block.factor[row]);
     store_lanes(Arithmetic::multiply_add(ratio, versine - one, one) / sine_squared, &block.bend[row]);

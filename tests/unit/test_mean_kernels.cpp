@@ -147,7 +147,7 @@ void check_in_every_kernel() {
 Bits bits_of_sums(const qtraj::LogSums& of) {
   Bits bits;
   add_bits(bits, of.largest_square);
-  for (size_t term = 0; term < 11; ++term) add_bits(bits, of.sums.value(term));
+  for (size_t term = 0; term < std::size(of.sums.totals); ++term) add_bits(bits, of.sums.value(term));
   return bits;
 }
 
