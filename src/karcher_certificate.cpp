@@ -11,15 +11,14 @@ constexpr int kSteps = 64;
 
 // dbar, by a pass over the samples; the error of the sum itself is below that of its terms.
 double mean_distance(const WeightedOrientations& samples, const Quaternion& mean, double sum_of_weights) {
-  double sum = 0, error = 0;
+  Exact sum = {0, 0};
   for (size_t sample = 0; sample < samples.count; ++sample) {
     const double weight = samples.weight(sample);
     if (weight == 0) continue;
-    const Exact next = two_sum(sum, weight * nearest_log(mean, samples.unit(sample)).angle);
-    sum = next.value;
-    error += next.error;
+    const Exact next = two_sum(sum.value, weight * nearest_log(mean, samples.unit(sample)).angle);
+    sum = {next.value, sum.error + next.error};
   }
-  return (sum + error) / sum_of_weights;
+  return (sum.value + sum.error) / sum_of_weights;
 }
 
 // S, at least `tie`: every orientation with an f as small is within it.

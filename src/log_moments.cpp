@@ -11,7 +11,7 @@ NearestLog nearest_log(const Quaternion& base, const Quaternion& unit) {
   store(unit, to);
   RelativeOf<double> relative = {};
   relate<Plain>(from, to, relative);
-  const double factor = relative.inverse * angle_ratio<Plain>(versine_of<Plain>(relative));
+  const double factor = relative.inverse * evaluate<Plain, AcosRatio>(versine_of<Plain>(relative));
   const double root = std::sqrt(relative.sine_squared);
   return {factor * Vector3(relative.q[1], relative.q[2], relative.q[3]), std::abs(factor) * root,
           relative.q[0] * relative.inverse, std::abs(relative.inverse) * root};

@@ -47,7 +47,7 @@ QTRAJ_INLINE void find_log_factors(const SampleArrays& samples, size_t first, si
   const Vector one(1.0);
   for (size_t row = 0; row < rows; row += kLanesOf<Vector>) {
     prefetch_by_turns<Real, Vector>(samples, first, row, 1);
-    const Vector versine = load_lanes(&block.bend[row], Vector()), ratio = angle_ratio<Arithmetic>(versine);
+    const Vector versine = load_lanes(&block.bend[row], Vector()), ratio = evaluate<Arithmetic, AcosRatio>(versine);
     // ratio cos d = d cot d; where sin d is 0 so is the vector, whatever it is multiplied by
     const Vector sine_squared = load_lanes(&block.sine_squared[row], Vector()) + Vector(0x1p-700);
     store_lanes(ratio * load_lanes(&block.factor[row], Vector()), &block.factor[row]);

@@ -57,16 +57,11 @@ QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], Relative
   return true;
 }
 
-// 1 - cos d.
+// 1 - cos d. AcosRatio of it is d / sin d, without a case for d = 0; times `inverse` that makes a log of the vector
+// part.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE Number versine_of(const RelativeOf<Number>& to) {
   return Arithmetic::multiply_add(-to.q[0], to.inverse, Number(1.0));
-}
-
-// d / sin d; times RelativeOf::inverse it makes a log of the vector part. A polynomial, without a case for d = 0.
-template <class Arithmetic, class Number>
-QTRAJ_INLINE Number angle_ratio(Number versine) {
-  return evaluate<Arithmetic, AcosRatio>(versine);
 }
 
 }  // namespace

@@ -75,6 +75,39 @@ inline EigenMean eigen_mean(Matrix4 a) {
   return {first.q, first.value - top_eigenvector(a).value};
 }
 
+// What samples tell of a base: r the half-angle vectors from it to the nearer of q and -q, d their lengths.
+struct Moments {
+  Real weight = 0, squares = 0, distances = 0, farthest = 0;  // sum w, sum w d^2, sum w d, largest d
+  Vector logs{};                                              // sum w r
+  Matrix3 hessian{};                                          // of sum w d^2 / 2
+  Real undecided = 0;                                         // weight of samples of which r and -r are both right
+};
+
+template <class Element>
+Moments moments(const capi::Samples<Element>& samples, const Quaternion& base) {
+  Moments sums;
+  for (size_t i = 0; i < samples.count(); ++i) {
+    Quaternion relative = multiply(conjugate(base), normalized(quaternion(&samples.q[4 * i])));
+    if (relative[0] < 0) relative = scaled(-1, relative);
+    const Vector r = log(relative);
+    const Real weight = samples.weight(i), angle = norm(r);
+    const Real sideways = angle == 0 ? Real(1) : angle / std::tan(angle);
+    sums.weight += weight;
+    sums.squares += weight * angle * angle;
+    sums.distances += weight * angle;
+    sums.farthest = std::max(sums.farthest, angle);
+    if (relative[0] < Real(1e-15)) sums.undecided += weight;
+    for (size_t row = 0; row < 3; ++row) {
+      sums.logs[row] += weight * r[row];
+      sums.hessian[row][row] += weight * sideways;
+      if (angle == 0) continue;
+      for (size_t column = 0; column < 3; ++column)
+        sums.hessian[row][column] += weight * (1 - sideways) * (r[row] / angle) * (r[column] / angle);
+    }
+  }
+  return sums;
+}
+
 // A stationary point of sum w d^2 close to `q`, by steps of Newton's method, and the least eigenvalue of the Hessian
 // there over the sum of weights.
 struct KarcherMean {
@@ -99,27 +132,10 @@ KarcherMean karcher_mean(const capi::Samples<Element>& samples, Quaternion q, in
   Matrix3 inverse{};
   for (int step = 0; step < steps; ++step) {
     q = normalized(q);
-    Vector logs{};
-    Matrix3 hessian{};
-    Real sum_of_weights = 0;
-    for (size_t i = 0; i < samples.count(); ++i) {
-      Quaternion relative = multiply(conjugate(q), normalized(quaternion(&samples.q[4 * i])));
-      if (relative[0] < 0) relative = scaled(-1, relative);
-      const Vector r = log(relative);
-      const Real weight = samples.weight(i), angle = norm(r);
-      const Real sideways = angle == 0 ? Real(1) : angle / std::tan(angle);
-      sum_of_weights += weight;
-      for (size_t row = 0; row < 3; ++row) {
-        logs[row] += weight * r[row];
-        hessian[row][row] += weight * sideways;
-        if (angle == 0) continue;
-        for (size_t column = 0; column < 3; ++column)
-          hessian[row][column] += weight * (1 - sideways) * (r[row] / angle) * (r[column] / angle);
-      }
-    }
-    for (Vector& row : hessian) row = scaled(1 / sum_of_weights, row);
-    inverse = inverse_of_symmetric(hessian);
-    q = multiply(q, exp(product(inverse, scaled(1 / sum_of_weights, logs))));
+    Moments at = moments(samples, q);
+    for (Vector& row : at.hessian) row = scaled(1 / at.weight, row);
+    inverse = inverse_of_symmetric(at.hessian);
+    q = multiply(q, exp(product(inverse, scaled(1 / at.weight, at.logs))));
   }
   Vector slowest = {Real(0.6), Real(0.64), Real(0.48)};
   for (int step = 0; step < 30; ++step) slowest = normalized(product(inverse, slowest));
