@@ -108,24 +108,24 @@ qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_o
   return map<9, 4>(q_from_matrix, matrix, count, q_out, bad_index);
 }
 
-qtraj_status qtraj_derivatives_from_rates(const double* q_wb, int32_t frame, const double* omega, const double* alpha,
+qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega, const double* alpha,
                                           size_t count, double* dq_out, double* ddq_out, size_t* bad_index) {
   const auto asked_frame = static_cast<Frame>(frame);
   return call({input(q_wb, count, 4), input(omega, count, 3), with(ddq_out, input(alpha, count, 3)),
                output(dq_out, count, 4), with(alpha, output(ddq_out, count, 4))},
               {true, is_known(asked_frame)}, bad_index, [&] {
-                return derivatives_from_rates(rows<4>(q_wb), asked_frame, rows<3>(omega), rows<3>(alpha), count,
+                return derivatives_from_rates(asked_frame, rows<4>(q_wb), rows<3>(omega), rows<3>(alpha), count,
                                               {output_rows<4>(dq_out), output_rows<4>(ddq_out)});
               });
 }
 
-qtraj_status qtraj_rates_from_derivatives(const double* q_wb, int32_t frame, const double* dq, const double* ddq,
+qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, const double* dq, const double* ddq,
                                           size_t count, double* omega_out, double* alpha_out, size_t* bad_index) {
   const auto asked_frame = static_cast<Frame>(frame);
   return call({input(q_wb, count, 4), input(dq, count, 4), with(alpha_out, input(ddq, count, 4)),
                output(omega_out, count, 3), with(ddq, output(alpha_out, count, 3))},
               {true, is_known(asked_frame)}, bad_index, [&] {
-                return rates_from_derivatives(rows<4>(q_wb), asked_frame, rows<4>(dq), rows<4>(ddq), count,
+                return rates_from_derivatives(asked_frame, rows<4>(q_wb), rows<4>(dq), rows<4>(ddq), count,
                                               {output_rows<3>(omega_out), output_rows<3>(alpha_out)});
               });
 }

@@ -122,29 +122,29 @@ qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* 
   return create_with_method(method, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
 }
 
-qtraj_status qtraj_create_with(const qtraj_options* options, const double* times, const double* q_wb, size_t count,
-                               qtraj_trajectory** out, size_t* bad_index) {
+qtraj_status qtraj_create_with_options(const qtraj_options* options, const double* times, const double* q_wb,
+                                       size_t count, qtraj_trajectory** out, size_t* bad_index) {
   return create_with_options(options, request<double>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
 }
 
-qtraj_status qtraj_create_with_f32(const qtraj_options* options, const double* times, const float* q_wb, size_t count,
-                                   qtraj_trajectory** out, size_t* bad_index) {
+qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const double* times, const float* q_wb,
+                                           size_t count, qtraj_trajectory** out, size_t* bad_index) {
   return create_with_options(options, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
 }
 
-qtraj_status qtraj_create_with_rates(const qtraj_options* options, const double* times, const double* q_wb,
-                                     int32_t frame, const double* omega, const double* alpha, size_t count,
+qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
+                                     const double* q_wb, const double* omega, const double* alpha, size_t count,
                                      qtraj_trajectory** out, size_t* bad_index) {
   return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
 }
 
-qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, const double* times, const float* q_wb,
-                                         int32_t frame, const float* omega, const float* alpha, size_t count,
+qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
+                                         const float* q_wb, const float* omega, const float* alpha, size_t count,
                                          qtraj_trajectory** out, size_t* bad_index) {
   return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
 }
 
-qtraj_status qtraj_size(const qtraj_options* options, size_t count, size_t* bytes) {
+qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes) {
   if (!options || !bytes) return QTRAJ_E_NULL;
   if (count < 2) return QTRAJ_E_COUNT;
   TrajectorySize size;
@@ -153,15 +153,15 @@ qtraj_status qtraj_size(const qtraj_options* options, size_t count, size_t* byte
   return QTRAJ_OK;
 }
 
-qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
-                        const double* q_wb, int32_t frame, const double* omega, const double* alpha, size_t count,
+qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
+                        const double* q_wb, const double* omega, const double* alpha, size_t count,
                         qtraj_trajectory** out, size_t* bad_index) {
   return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
 }
 
-qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
-                            const float* q_wb, int32_t frame, const float* omega, const float* alpha, size_t count,
-                            qtraj_trajectory** out, size_t* bad_index) {
+qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
+                            const double* times, const float* q_wb, const float* omega, const float* alpha,
+                            size_t count, qtraj_trajectory** out, size_t* bad_index) {
   return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
 }
 

@@ -23,7 +23,7 @@ qtraj_status scalar(const qtraj_trajectory* trajectory, double* out, Outcome (*c
 
 extern "C" {
 
-qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time) {
+qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time) {
   if (!trajectory || !norm) return QTRAJ_E_NULL;
   const LeastNorm least = least_norm(trajectory->core);
   *norm = least.norm;
@@ -31,8 +31,8 @@ qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, 
   return QTRAJ_OK;
 }
 
-qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
-                              double* alpha_jump) {
+qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
+                               double* alpha_jump) {
   if (!trajectory) return QTRAJ_E_NULL;
   if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_OPTION;
   const size_t bytes = 3 * trajectory->core.key_count * sizeof(double);
@@ -40,8 +40,8 @@ qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame,
   return to_c(knot_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
 }
 
-qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
-                              double* alpha_peak, double* alpha_time) {
+qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
+                                    double* alpha_peak, double* alpha_time) {
   if (!trajectory) return QTRAJ_E_NULL;
   Peak omega = {}, alpha = {};
   Outcome outcome;
@@ -55,11 +55,11 @@ qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_
   return QTRAJ_OK;
 }
 
-qtraj_status qtraj_energy(const qtraj_trajectory* trajectory, double* energy) {
+qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy) {
   return scalar(trajectory, energy, qtraj::energy);
 }
 
-qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, double* angle) {
+qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle) {
   return scalar(trajectory, angle, qtraj::total_angle);
 }
 

@@ -16,7 +16,7 @@ Samples samples(const double* times, const double* q_wb, size_t count) { return 
 
 extern "C" {
 
-qtraj_status qtraj_estimate_omega(const double* times, const double* q_wb, size_t count, int32_t frame,
+qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const double* q_wb, size_t count,
                                   double* t_mid_out, double* omega_out, size_t* bad_index) {
   const size_t intervals = count > 0 ? count - 1 : 0;
   return capi::call({input(times, count, 1), input(q_wb, count, 4), optional(output(t_mid_out, intervals, 1)),
@@ -27,19 +27,19 @@ qtraj_status qtraj_estimate_omega(const double* times, const double* q_wb, size_
                     });
 }
 
-qtraj_status qtraj_smoothness_energy(const double* times, const double* q_wb, size_t count, int32_t frame,
-                                     double* energy, size_t* bad_index) {
+qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const double* q_wb, size_t count, double* energy,
+                                   size_t* bad_index) {
   return capi::call({input(times, count, 1), input(q_wb, count, 4), output(energy, 1, 1)},
                     {count >= 3, is_known_frame(frame)}, bad_index,
-                    [&] { return smoothness_energy(samples(times, q_wb, count), static_cast<Frame>(frame), *energy); });
+                    [&] { return estimate_energy(samples(times, q_wb, count), static_cast<Frame>(frame), *energy); });
 }
 
-qtraj_status qtraj_velocity_jump(const double* times, const double* q_wb, size_t count, const double* knots,
-                                 size_t knot_count, int32_t frame, double* jump_out, size_t* bad_index) {
+qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const double* q_wb, size_t count,
+                                  const double* knots, size_t knot_count, double* jump_out, size_t* bad_index) {
   return capi::call(
       {input(times, count, 1), input(q_wb, count, 4), input(knots, knot_count, 1), output(jump_out, knot_count, 3)},
       {count >= 2, is_known_frame(frame)}, bad_index, [&] {
-        return velocity_jumps(samples(times, q_wb, count), knots, knot_count, static_cast<Frame>(frame),
+        return estimate_jumps(samples(times, q_wb, count), knots, knot_count, static_cast<Frame>(frame),
                               capi::output_rows<3>(jump_out));
       });
 }

@@ -16,7 +16,7 @@ static qtraj_trajectory* create(const struct keys* keys) {
   qtraj_trajectory* attitude;
   must(qtraj_options_create(QTRAJ_SQUAD, &options), "options");
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE), "options");
-  must(qtraj_create_with(options, keys->times, keys->q[0], keys_received, &attitude, NULL), "create");
+  must(qtraj_create_with_options(options, keys->times, keys->q[0], keys_received, &attitude, NULL), "create");
   qtraj_options_destroy(options);
   return attitude;
 }

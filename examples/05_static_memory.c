@@ -17,7 +17,7 @@ static const double looks[LOOKS][4] = {
 };
 
 /* Arrays of double are aligned as needed. How much a trajectory takes depends on the method, the number of keys and the
- * version: qtraj_size tells. */
+ * version: qtraj_init_size tells. */
 static double options_memory[QTRAJ_OPTIONS_BYTES / sizeof(double)];
 static double trajectory_memory[512];
 
@@ -30,16 +30,16 @@ int main(void) {
   int tick;
 
   must(qtraj_options_init(options_memory, sizeof options_memory, QTRAJ_SQUAD, &options), "options");
-  must(qtraj_size(options, LOOKS, &bytes), "size");
+  must(qtraj_init_size(options, LOOKS, &bytes), "size");
   if (bytes > sizeof trajectory_memory) return 1;
 
   /* too little memory is a status, not a crash */
   status =
-      qtraj_init(trajectory_memory, bytes / 2, options, look_times, looks[0], 0, NULL, NULL, LOOKS, &pointing, NULL);
+      qtraj_init(trajectory_memory, bytes / 2, options, 0, look_times, looks[0], NULL, NULL, LOOKS, &pointing, NULL);
   printf("half the memory: %s\n", qtraj_status_text(status));
 
   /* the three 0, NULL, NULL: no rates at the keys */
-  must(qtraj_init(trajectory_memory, sizeof trajectory_memory, options, look_times, looks[0], 0, NULL, NULL, LOOKS,
+  must(qtraj_init(trajectory_memory, sizeof trajectory_memory, options, 0, look_times, looks[0], NULL, NULL, LOOKS,
                   &pointing, NULL),
        "init");
   for (tick = 0; tick <= 12; tick += 2) {

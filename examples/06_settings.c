@@ -38,11 +38,11 @@ static qtraj_trajectory* create(const struct setting* setting, const struct keys
   if (setting->tangents) must(qtraj_options_set_tangents(options, setting->tangents), "tangents");
   if (setting->reference) must(qtraj_options_set_reference(options, setting->reference, NULL), "reference");
   if (setting->tangents == QTRAJ_TANGENT_GIVEN || setting->method == QTRAJ_HERMITE)
-    must(qtraj_create_with_rates(options, keys->times, keys->q[0], QTRAJ_FRAME_WORLD, omega_world, NULL, keys->count,
+    must(qtraj_create_with_rates(options, QTRAJ_FRAME_WORLD, keys->times, keys->q[0], omega_world, NULL, keys->count,
                                  &curve, NULL),
          setting->name);
   else
-    must(qtraj_create_with(options, keys->times, keys->q[0], keys->count, &curve, NULL), setting->name);
+    must(qtraj_create_with_options(options, keys->times, keys->q[0], keys->count, &curve, NULL), setting->name);
   qtraj_options_destroy(options);
   return curve;
 }

@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
 
   /* A curve that shall go round and round has to come back to its first key. */
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC), "options");
-  show("an open curve, repeated", qtraj_create_with(options, keys.times, keys.q[0], keys.count, &none, &bad));
+  show("an open curve, repeated", qtraj_create_with_options(options, keys.times, keys.q[0], keys.count, &none, &bad));
 
   qtraj_options_destroy(options);
   qtraj_destroy(none); /* NULL after an error, and NULL does no harm */

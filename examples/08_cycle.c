@@ -18,7 +18,8 @@ static qtraj_trajectory* create_arm(const struct keys* keys, int32_t method, int
   must(qtraj_options_create(method, &options), "options");
   must(qtraj_options_set_ends(options, ends, ends), "ends");
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC), "options");
-  must(qtraj_create_with(options, keys->times + arm_begins, keys->q[arm_begins], arm_keys, &arm, NULL), "create");
+  must(qtraj_create_with_options(options, keys->times + arm_begins, keys->q[arm_begins], arm_keys, &arm, NULL),
+       "create");
   qtraj_options_destroy(options);
   return arm;
 }
@@ -27,8 +28,8 @@ static qtraj_trajectory* create_arm(const struct keys* keys, int32_t method, int
 static void report_seam(const struct keys* keys, const char* name, int32_t method, int32_t ends) {
   qtraj_trajectory* arm = create_arm(keys, method, ends);
   double omega[arm_keys][3], alpha[arm_keys][3], omega_peak, alpha_peak;
-  must(qtraj_knot_jumps(arm, QTRAJ_FRAME_BODY, omega[0], alpha[0]), "jumps");
-  must(qtraj_peak_rates(arm, &omega_peak, NULL, &alpha_peak, NULL), "peaks");
+  must(qtraj_curve_jumps(arm, QTRAJ_FRAME_BODY, omega[0], alpha[0]), "jumps");
+  must(qtraj_curve_peak_rates(arm, &omega_peak, NULL, &alpha_peak, NULL), "peaks");
   printf("%-32s %8.3f of %6.3f rad/s  %8.1f of %6.1f rad/s^2\n", name,
          sqrt(omega[0][0] * omega[0][0] + omega[0][1] * omega[0][1] + omega[0][2] * omega[0][2]), omega_peak,
          sqrt(alpha[0][0] * alpha[0][0] + alpha[0][1] * alpha[0][1] + alpha[0][2] * alpha[0][2]), alpha_peak);

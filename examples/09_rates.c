@@ -46,8 +46,8 @@ int main(int argc, char** argv) {
     for (k = 0; k < 3; ++k) omega_world[i][k] -= measured.q[i][k];
     sum += length(omega_world[i]) * length(omega_world[i]);
   }
-  must(qtraj_peak_rates(attitude, &omega_peak, &omega_time, &alpha_peak, &alpha_time), "peaks");
-  must(qtraj_total_angle(attitude, &angle), "angle");
+  must(qtraj_curve_peak_rates(attitude, &omega_peak, &omega_time, &alpha_peak, &alpha_time), "peaks");
+  must(qtraj_curve_total_angle(attitude, &angle), "angle");
   printf("%lu keys: a way of %.2f rad, at most %.3f mrad/s (%.0f s) and %.1f urad/s^2 (%.0f s)\n",
          (unsigned long)keys.count, angle, 1e3 * omega_peak, omega_time, 1e6 * alpha_peak, alpha_time);
   printf("measured rates differ by %.3f mrad/s rms\n", 1e3 * sqrt(sum / (double)inside));

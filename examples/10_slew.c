@@ -36,7 +36,7 @@ static qtraj_trajectory* create(int32_t method, double duration) {
   must(qtraj_options_create(method, &options), "options");
   /* before and after the slew: at rest */
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD), "options");
-  must(qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, at_rest[0], at_rest[0], 2, &slew, NULL),
+  must(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], at_rest[0], at_rest[0], 2, &slew, NULL),
        "create");
   qtraj_options_destroy(options);
   return slew;
@@ -44,8 +44,8 @@ static qtraj_trajectory* create(int32_t method, double duration) {
 
 static void report(const char* name, const qtraj_trajectory* slew) {
   double omega, alpha, norm;
-  must(qtraj_peak_rates(slew, &omega, NULL, &alpha, NULL), "peaks");
-  must(qtraj_least_norm(slew, &norm, NULL), "norm");
+  must(qtraj_curve_peak_rates(slew, &omega, NULL, &alpha, NULL), "peaks");
+  must(qtraj_curve_least_norm(slew, &norm, NULL), "norm");
   printf("%-18s at most %.6f rad/s, %.9f rad/s^2; least norm %.3f\n", name, omega, alpha, norm);
 }
 
@@ -57,7 +57,7 @@ int main(void) {
 
   /* the angle between the keys: what a curve of one second turns by */
   slew = create(QTRAJ_ROTATION_QUINTIC, 1.0);
-  must(qtraj_total_angle(slew, &angle), "angle");
+  must(qtraj_curve_total_angle(slew, &angle), "angle");
   qtraj_destroy(slew);
   duration = fmax(15.0 / 8.0 * angle / limit_omega, sqrt(10.0 / sqrt(3.0) * angle / limit_alpha));
   printf("%.4f rad in %.1f s\n", angle, duration);

@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/qtraj)
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES capi/qtraj.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES include/qtraj.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 # One export file for each kind of library: a distribution may package them apart.
 foreach(kind shared static)

@@ -47,7 +47,7 @@ Vector3 rate_of(const Scaled<Quaternion>& p) { return unscale(Scaled<Vector3>{2.
 
 }  // namespace
 
-Outcome derivatives_from_rates(const Rows<4>& q_wb, Frame frame, const Rows<3>& omega, const Rows<3>& alpha,
+Outcome derivatives_from_rates(Frame frame, const Rows<4>& q_wb, const Rows<3>& omega, const Rows<3>& alpha,
                                size_t count, const OutputRowPairs<4>& dq_and_ddq_out) {
   return for_each_row(count, dq_and_ddq_out, [&](size_t row, OutputRowPairs<4>::Row& derivatives) {
     if (!q_wb.is_finite(row) || !omega.is_finite(row)) return Status::not_finite;
@@ -61,7 +61,7 @@ Outcome derivatives_from_rates(const Rows<4>& q_wb, Frame frame, const Rows<3>& 
   });
 }
 
-Outcome rates_from_derivatives(const Rows<4>& q_wb, Frame frame, const Rows<4>& dq, const Rows<4>& ddq, size_t count,
+Outcome rates_from_derivatives(Frame frame, const Rows<4>& q_wb, const Rows<4>& dq, const Rows<4>& ddq, size_t count,
                                const OutputRowPairs<3>& omega_and_alpha_out) {
   return for_each_row(count, omega_and_alpha_out, [&](size_t row, OutputRowPairs<3>::Row& rates) {
     if (!q_wb.is_finite(row) || !dq.is_finite(row)) return Status::not_finite;

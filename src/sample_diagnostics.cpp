@@ -137,7 +137,7 @@ Outcome estimate_omega(const Samples& samples, Frame frame, const OutputRows<1>&
   return first_fault;
 }
 
-Outcome smoothness_energy(const Samples& samples, Frame frame, double& energy) {
+Outcome estimate_energy(const Samples& samples, Frame frame, double& energy) {
   energy = std::numeric_limits<double>::quiet_NaN();
   constexpr double kLargest = 1e300, kLargestRoot = 1e150;
   SampleCheck check(samples);
@@ -165,7 +165,7 @@ Outcome smoothness_energy(const Samples& samples, Frame frame, double& energy) {
   return first_ambiguous;
 }
 
-Outcome velocity_jumps(const Samples& samples, const double* knots, size_t knot_count, Frame frame,
+Outcome estimate_jumps(const Samples& samples, const double* knots, size_t knot_count, Frame frame,
                        const OutputRows<3>& jumps) {
   const SamplesVerdict verdict = check_samples(samples);
   const Outcome rows = for_each_row(knot_count, jumps, [&](size_t k, Vector3& jump) {

@@ -13,7 +13,7 @@ namespace qtraj {
 // Of u = q_wb / |q_wb|: u' = u (0, omega/2) and u'' = u (-|omega|^2/4, alpha/2) in the body frame, the factors
 // exchanged in the world frame (differentiate omega_body = 2 u^-1 u'). Within 1.5 eps |omega| and eps (|omega|^2 + 2
 // |alpha|). Without data of alpha and u'' the first alone.
-Outcome derivatives_from_rates(const Rows<4>& q_wb, Frame frame, const Rows<3>& omega, const Rows<3>& alpha,
+Outcome derivatives_from_rates(Frame frame, const Rows<4>& q_wb, const Rows<3>& omega, const Rows<3>& alpha,
                                size_t count, const OutputRowPairs<4>& dq_and_ddq_out);
 
 // Rates of the orientation, the curve q / |q|, from derivatives of a curve q of any norm, which need not be constant:
@@ -22,7 +22,7 @@ Outcome derivatives_from_rates(const Rows<4>& q_wb, Frame frame, const Rows<3>& 
 // Re p = |q|'/|q| is the rate of the norm, the part of q' along q: it changes neither rate, which is why alpha is not
 // 2 Im(q'' q^-1) but where the norm stands still. Within 6 eps r and 6 eps (s + 2 r^2), r = |q'| / |q|, s = |q''| /
 // |q|. Without data of ddq and alpha the first alone.
-Outcome rates_from_derivatives(const Rows<4>& q_wb, Frame frame, const Rows<4>& dq, const Rows<4>& ddq, size_t count,
+Outcome rates_from_derivatives(Frame frame, const Rows<4>& q_wb, const Rows<4>& dq, const Rows<4>& ddq, size_t count,
                                const OutputRowPairs<3>& omega_and_alpha_out);
 
 }  // namespace qtraj

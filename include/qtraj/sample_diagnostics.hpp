@@ -5,11 +5,11 @@
 // 1/h^2 overflows (time_order), or the span from there or from the first finite time overflows (time_range). Every
 // faulty sample is reported, also one that no row uses.
 //   - Rows that use a faulty sample are NaN. To look a time up uses all times: where one is at fault, all rows of
-//     velocity_jumps and keyframe_errors are NaN. smoothness_energy is one row that uses all samples.
+//     estimate_jumps and keyframe_errors are NaN. estimate_energy is one row that uses all samples.
 //   - The outcome is that of the lowest index at fault; indices count the arguments' elements in their order.
 //   - Neighbours with <q_k, q_{k+1}> < 0 are taken with one sign changed; a tie keeps the given signs. Neighbours half
 //     a turn apart, |<q_k, q_{k+1}>| <= 4 eps |q_k| |q_{k+1}|, turn in a direction that is a matter of rounding: what
-//     rests on it is ambiguous, at the index of the later sample or, in velocity_jumps, of the knot.
+//     rests on it is ambiguous, at the index of the later sample or, in estimate_jumps, of the knot.
 #pragma once
 
 #include "qtraj/rows.hpp"
@@ -34,13 +34,13 @@ Outcome estimate_omega(const Samples& samples, Frame frame, const OutputRows<1>&
 // approximates the integral of |alpha|^2 from the first to the last mid-time. As good as rates with the error
 // stated there make it, plus 8 eps relative, for any count. not_finite above 1e300, at the index of the sample that
 // brings it there. NaN under every status but ambiguous, and that one only where nothing else is at fault. count >= 3.
-Outcome smoothness_energy(const Samples& samples, Frame frame, double& energy);
+Outcome estimate_energy(const Samples& samples, Frame frame, double& energy);
 
 // Row k: the rate of the first interval between samples that begins at or after knots[k] minus that of the last one
 // that ends at or before it, rad/s; rates as in estimate_omega. Knots may be in any order. time_range where one of the
 // two intervals does not exist. The error is that of both rates. Indices count samples, then knots. count
 // >= 2.
-Outcome velocity_jumps(const Samples& samples, const double* knots, size_t knot_count, Frame frame,
+Outcome estimate_jumps(const Samples& samples, const double* knots, size_t knot_count, Frame frame,
                        const OutputRows<3>& jumps);
 
 // Row k: angle, rad in [0, pi], of the rotation between keys.q_wb[k] and the sample nearest to keys.times[k], the

@@ -116,11 +116,11 @@ TEST_CASE("C API: unknown frames are OPTION, after SIZE and before OVERLAP", "[c
     CAPTURE(frame);
     size_t bad_index = 7;
     const auto derivatives = [&](const double* q_wb, size_t count, double* second) {
-      return qtraj_derivatives_from_rates(q_wb, frame, vectors.data(), vectors.data(), count, dq.data(), second,
+      return qtraj_derivatives_from_rates(frame, q_wb, vectors.data(), vectors.data(), count, dq.data(), second,
                                           &bad_index);
     };
     const auto rates = [&](const double* q_wb, size_t count, double* second) {
-      return qtraj_rates_from_derivatives(q_wb, frame, q.data(), q.data(), count, omega.data(), second, &bad_index);
+      return qtraj_rates_from_derivatives(frame, q_wb, q.data(), q.data(), count, omega.data(), second, &bad_index);
     };
     CHECK(derivatives(q.data(), kRows, ddq.data()) == QTRAJ_E_OPTION);
     CHECK(bad_index == SIZE_MAX);

@@ -52,11 +52,11 @@ qtraj_status open(Door door, const Arguments<Real>& a) {
     case kCreate:
       return create(a.method, a.times, a.q, a.count, a.out, a.bad_index);
     case kCreateWith:
-      return create_with(a.options, a.times, a.q, a.count, a.out, a.bad_index);
+      return create_with_options(a.options, a.times, a.q, a.count, a.out, a.bad_index);
     case kCreateWithRates:
-      return create_with_rates(a.options, a.times, a.q, a.frame, a.omega, a.alpha, a.count, a.out, a.bad_index);
+      return create_with_rates(a.options, a.frame, a.times, a.q, a.omega, a.alpha, a.count, a.out, a.bad_index);
     default:
-      return init(a.memory, a.bytes, a.options, a.times, a.q, a.frame, a.omega, a.alpha, a.count, a.out, a.bad_index);
+      return init(a.memory, a.bytes, a.options, a.frame, a.times, a.q, a.omega, a.alpha, a.count, a.out, a.bad_index);
   }
 }
 

@@ -42,22 +42,23 @@ std::vector<NamedDoor<Real>> doors() {
     if (variant.end == QTRAJ_END_PERIODIC) continue;
     const bool takes_rates = variant.needs_rates();
     all.push_back(
-        {(takes_rates ? "create_with_rates " : "create_with ") + variant.name, takes_rates,
+        {(takes_rates ? "create_with_rates " : "create_with_options ") + variant.name, takes_rates,
          [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
            return variant.needs_rates()
-                      ? create_with_rates(options.get(), keys.times.data(), keys.q.data(), QTRAJ_FRAME_WORLD,
+                      ? create_with_rates(options.get(), QTRAJ_FRAME_WORLD, keys.times.data(), keys.q.data(),
                                           rates.omega.data(), variant.needs_alpha() ? rates.alpha.data() : nullptr,
                                           keys.count(), out, bad_index)
-                      : create_with(options.get(), keys.times.data(), keys.q.data(), keys.count(), out, bad_index);
+                      : create_with_options(options.get(), keys.times.data(), keys.q.data(), keys.count(), out,
+                                            bad_index);
          }});
     all.push_back(
         {"init " + variant.name, takes_rates,
          [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
            std::vector<double> memory(2048);
-           return init(memory.data(), memory.size() * sizeof(double), options.get(), keys.times.data(), keys.q.data(),
-                       QTRAJ_FRAME_WORLD, variant.needs_rates() ? rates.omega.data() : nullptr,
+           return init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_WORLD,
+                       keys.times.data(), keys.q.data(), variant.needs_rates() ? rates.omega.data() : nullptr,
                        variant.needs_alpha() ? rates.alpha.data() : nullptr, keys.count(), out, bad_index);
          }});
   }

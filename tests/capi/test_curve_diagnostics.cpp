@@ -16,9 +16,9 @@ struct Diagnosis {
 };
 Diagnosis diagnose(const qtraj_trajectory* curve) {
   Diagnosis d{};
-  REQUIRE(qtraj_peak_rates(curve, &d.omega, &d.omega_time, &d.alpha, &d.alpha_time) == QTRAJ_OK);
-  REQUIRE(qtraj_energy(curve, &d.energy) == QTRAJ_OK);
-  REQUIRE(qtraj_total_angle(curve, &d.angle) == QTRAJ_OK);
+  REQUIRE(qtraj_curve_peak_rates(curve, &d.omega, &d.omega_time, &d.alpha, &d.alpha_time) == QTRAJ_OK);
+  REQUIRE(qtraj_curve_energy(curve, &d.energy) == QTRAJ_OK);
+  REQUIRE(qtraj_curve_total_angle(curve, &d.angle) == QTRAJ_OK);
   return d;
 }
 
@@ -65,12 +65,12 @@ TEST_CASE("C API: diagnostics are right in any unit of time, as long as they the
     const Variant variant = {"", QTRAJ_ROTATION_QUINTIC};
     const Trajectory curve = must_build(make_options(variant).get(), keys, rates_for<double>(variant, 2, 0.0));
     double omega = 0, alpha = 0, energy = 0, length = 0;
-    CHECK(qtraj_peak_rates(curve.get(), &omega, nullptr, &alpha, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_curve_peak_rates(curve.get(), &omega, nullptr, &alpha, nullptr) == QTRAJ_OK);
     CHECK(close(omega, 15.0 / 8.0 * angle / h, 1e-9));
     CHECK(close(alpha, 10.0 / std::sqrt(3.0) * angle / h / h, 1e-9));
-    CHECK(qtraj_energy(curve.get(), &energy) == (h > 1e-103 ? QTRAJ_OK : QTRAJ_E_NOT_FINITE));
+    CHECK(qtraj_curve_energy(curve.get(), &energy) == (h > 1e-103 ? QTRAJ_OK : QTRAJ_E_NOT_FINITE));
     if (h > 1e-103) CHECK(close(energy, 120.0 / 7.0 * angle * angle / h / h / h, 1e-9));
-    CHECK(qtraj_total_angle(curve.get(), &length) == QTRAJ_OK);
+    CHECK(qtraj_curve_total_angle(curve.get(), &length) == QTRAJ_OK);
     CHECK(close(length, angle, 1e-9));
   }
 }
@@ -137,7 +137,7 @@ TEST_CASE("C API: a curve at rest has no rates, no energy, no length and no jump
     const Diagnosis d = diagnose(curve.get());
     CHECK((d.omega <= 1e-15 && d.alpha <= 1e-14 && d.energy <= 1e-28 && d.angle <= 1e-14));
     std::vector<double> omega(15), alpha(15);
-    REQUIRE(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
     for (size_t k = 0; k < 15; ++k) CHECK((std::abs(omega[k]) <= 1e-15 && std::abs(alpha[k]) <= 1e-14));
   }
 }
@@ -154,7 +154,7 @@ TEST_CASE("C API: the jump at a corner of SLERP is the change of its rate, in bo
   const Vector body = {-before, after, 0}, world = {-before, 0, after};  // the body's y is the world's z there
   for (const int32_t frame : {QTRAJ_FRAME_BODY, QTRAJ_FRAME_WORLD}) {
     std::vector<double> omega(9, 7.0), alpha(9, 7.0);
-    REQUIRE(qtraj_knot_jumps(curve.get(), frame, omega.data(), alpha.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), frame, omega.data(), alpha.data()) == QTRAJ_OK);
     const Vector expected = frame == QTRAJ_FRAME_BODY ? body : world;
     for (size_t k = 0; k < 3; ++k) {
       CHECK(std::abs(omega[3 + k] - expected[k]) <= 1e-14);
@@ -178,7 +178,7 @@ TEST_CASE("C API: a closed curve has its seam's jump at both ends, an open one 0
         const Motion<double> ends =
             must_sample_rates<double>(curve.get(), frame, {keys.times.front(), keys.times.back()});
         std::vector<double> omega(18), alpha(18);
-        REQUIRE(qtraj_knot_jumps(curve.get(), frame, omega.data(), alpha.data()) == QTRAJ_OK);
+        REQUIRE(qtraj_curve_jumps(curve.get(), frame, omega.data(), alpha.data()) == QTRAJ_OK);
         const bool closed = wraps || variant.end == QTRAJ_END_PERIODIC;
         for (size_t k = 0; k < 3; ++k)
           for (const size_t row : {size_t{0}, size_t{15}}) {
@@ -196,7 +196,7 @@ TEST_CASE("C API: jumps are rounding where the method is smooth, at the seam of 
     const Trajectory curve = must_build(make_options(variant).get(), keys, rates_for<double>(variant, 9));
     const Diagnosis d = diagnose(curve.get());
     std::vector<double> omega(27), alpha(27);
-    REQUIRE(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
     const bool c1 = variant.method == QTRAJ_SQUAD || variant.method == QTRAJ_HERMITE;
     for (size_t k = 0; k < 27; ++k) {
       CHECK(std::abs(omega[k]) <= 1e-13 * d.omega);

@@ -20,15 +20,15 @@ TEST_CASE("C API: diagnostics of a NULL handle, or without an output that must b
           "[capi][diagnostics][errors]") {
   const Trajectory curve = tour({"", QTRAJ_SQUAD});
   double a = 7, b = 7, c = 7, d = 7, jumps[3 * kKeys] = {7};
-  CHECK(qtraj_knot_jumps(nullptr, QTRAJ_FRAME_BODY, jumps, nullptr) == QTRAJ_E_NULL);
-  CHECK(qtraj_knot_jumps(nullptr, 0, jumps, jumps) == QTRAJ_E_NULL);
-  CHECK(qtraj_peak_rates(nullptr, &a, &b, &c, &d) == QTRAJ_E_NULL);
-  CHECK(qtraj_energy(nullptr, &a) == QTRAJ_E_NULL);
-  CHECK(qtraj_energy(curve.get(), nullptr) == QTRAJ_E_NULL);
-  CHECK(qtraj_total_angle(nullptr, &a) == QTRAJ_E_NULL);
-  CHECK(qtraj_total_angle(curve.get(), nullptr) == QTRAJ_E_NULL);
-  CHECK(qtraj_least_norm(nullptr, &a, &b) == QTRAJ_E_NULL);
-  CHECK(qtraj_least_norm(curve.get(), nullptr, &b) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_jumps(nullptr, QTRAJ_FRAME_BODY, jumps, nullptr) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_jumps(nullptr, 0, jumps, jumps) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_peak_rates(nullptr, &a, &b, &c, &d) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_energy(nullptr, &a) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_energy(curve.get(), nullptr) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_total_angle(nullptr, &a) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_total_angle(curve.get(), nullptr) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_least_norm(nullptr, &a, &b) == QTRAJ_E_NULL);
+  CHECK(qtraj_curve_least_norm(curve.get(), nullptr, &b) == QTRAJ_E_NULL);
   CHECK((a == 7 && b == 7 && c == 7 && d == 7 && jumps[0] == 7));
 }
 
@@ -42,15 +42,15 @@ TEST_CASE("C API: knot_jumps judges frame, then overlap, and then leaves its out
     const std::vector<double> untouched = block;
     double* out = block.data() + kLength;
     for (const int32_t frame : {0, 3, -1, 1000, INT32_MAX, INT32_MIN}) {
-      CHECK(qtraj_knot_jumps(curve.get(), frame, out, nullptr) == QTRAJ_E_OPTION);
-      CHECK(qtraj_knot_jumps(curve.get(), frame, out, out) == QTRAJ_E_OPTION);
-      CHECK(qtraj_knot_jumps(curve.get(), frame, nullptr, nullptr) == QTRAJ_E_OPTION);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, out, nullptr) == QTRAJ_E_OPTION);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, out, out) == QTRAJ_E_OPTION);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, nullptr, nullptr) == QTRAJ_E_OPTION);
     }
     for (const ptrdiff_t shift : {ptrdiff_t{0}, ptrdiff_t{1}, ptrdiff_t{kLength} - 1, 1 - ptrdiff_t{kLength}})
-      CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_BODY, out + shift, out) == QTRAJ_E_OVERLAP);
+      CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, out + shift, out) == QTRAJ_E_OVERLAP);
     CHECK(block == untouched);
-    CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_BODY, out - kLength, out) == QTRAJ_OK);
-    CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_BODY, out + kLength, out) == QTRAJ_OK);
+    CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, out - kLength, out) == QTRAJ_OK);
+    CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, out + kLength, out) == QTRAJ_OK);
   }
 }
 
@@ -60,28 +60,28 @@ TEST_CASE("C API: every output of knot_jumps and peak_rates may be NULL and the 
     CAPTURE(variant.name);
     const Trajectory curve = tour(variant);
     std::vector<double> omega(3 * kKeys), alpha(3 * kKeys);
-    REQUIRE(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, omega.data(), alpha.data()) == QTRAJ_OK);
     std::vector<double> alone(3 * kKeys);
-    CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, alone.data(), nullptr) == QTRAJ_OK);
+    CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, alone.data(), nullptr) == QTRAJ_OK);
     CHECK(same_bits(alone, omega));
-    CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, nullptr, alone.data()) == QTRAJ_OK);
+    CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, nullptr, alone.data()) == QTRAJ_OK);
     CHECK(same_bits(alone, alpha));
-    CHECK(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_WORLD, nullptr, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_WORLD, nullptr, nullptr) == QTRAJ_OK);
 
     std::vector<double> all(4);
-    REQUIRE(qtraj_peak_rates(curve.get(), &all[0], &all[1], &all[2], &all[3]) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_peak_rates(curve.get(), &all[0], &all[1], &all[2], &all[3]) == QTRAJ_OK);
     for (unsigned subset = 0; subset < 16; ++subset) {
       std::vector<double> some = all;
       const auto at = [&](unsigned k) {
         if (subset >> k & 1) some[k] = -7;
         return (subset >> k & 1) != 0 ? &some[k] : nullptr;
       };
-      CHECK(qtraj_peak_rates(curve.get(), at(0), at(1), at(2), at(3)) == QTRAJ_OK);
+      CHECK(qtraj_curve_peak_rates(curve.get(), at(0), at(1), at(2), at(3)) == QTRAJ_OK);
       CHECK(same_bits(some, all));
     }
     double norm = 7, again = 7, time = 7;
-    CHECK(qtraj_least_norm(curve.get(), &norm, nullptr) == QTRAJ_OK);
-    CHECK(qtraj_least_norm(curve.get(), &again, &time) == QTRAJ_OK);
+    CHECK(qtraj_curve_least_norm(curve.get(), &norm, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_curve_least_norm(curve.get(), &again, &time) == QTRAJ_OK);
     CHECK(norm == again);
   }
 }
@@ -96,8 +96,8 @@ TEST_CASE("C API: times of peaks and of the least norm are within the knots", "[
                                 rates_for<double>(variant, 4, 0.01));
       if (built.status != QTRAJ_OK) continue;
       double omega_time = 1e9, alpha_time = 1e9, norm = 0, norm_time = 1e9, q[4];
-      REQUIRE(qtraj_peak_rates(built.trajectory.get(), nullptr, &omega_time, nullptr, &alpha_time) == QTRAJ_OK);
-      REQUIRE(qtraj_least_norm(built.trajectory.get(), &norm, &norm_time) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_peak_rates(built.trajectory.get(), nullptr, &omega_time, nullptr, &alpha_time) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_least_norm(built.trajectory.get(), &norm, &norm_time) == QTRAJ_OK);
       CAPTURE(variant.name, round, omega_time, alpha_time, norm_time);
       for (const double time : {omega_time, alpha_time, norm_time})
         CHECK(qtraj_sample_at(built.trajectory.get(), time, nullptr, q) == QTRAJ_OK);
@@ -114,13 +114,13 @@ void check_all(const qtraj_trajectory* curve) {
   qtraj_status jumps = QTRAJ_OK;
   CHECK(disturbance([&] {
           std::fill(values, values + 8, kUntouched);
-          status[0] = qtraj_peak_rates(curve, &values[0], &values[1], &values[2], &values[3]);
+          status[0] = qtraj_curve_peak_rates(curve, &values[0], &values[1], &values[2], &values[3]);
         }) == kNothing);
-  CHECK(disturbance([&] { status[1] = qtraj_energy(curve, &values[4]); }) == kNothing);
-  CHECK(disturbance([&] { status[2] = qtraj_total_angle(curve, &values[5]); }) == kNothing);
-  CHECK(disturbance([&] { status[3] = qtraj_least_norm(curve, &values[6], &values[7]); }) == kNothing);
+  CHECK(disturbance([&] { status[1] = qtraj_curve_energy(curve, &values[4]); }) == kNothing);
+  CHECK(disturbance([&] { status[2] = qtraj_curve_total_angle(curve, &values[5]); }) == kNothing);
+  CHECK(disturbance([&] { status[3] = qtraj_curve_least_norm(curve, &values[6], &values[7]); }) == kNothing);
   for (const int32_t frame : {QTRAJ_FRAME_BODY, QTRAJ_FRAME_WORLD})
-    CHECK(disturbance([&] { jumps = qtraj_knot_jumps(curve, frame, omega.data(), alpha.data()); }) == kNothing);
+    CHECK(disturbance([&] { jumps = qtraj_curve_jumps(curve, frame, omega.data(), alpha.data()); }) == kNothing);
   const size_t first[] = {0, 4, 5, 6, 8};
   for (size_t call = 0; call < 4; ++call) {
     CAPTURE(call);

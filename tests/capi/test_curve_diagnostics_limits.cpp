@@ -14,7 +14,7 @@ Trajectory winding(double turning) {
   const double omega[] = {turning, 0.3 * turning, 0, 0, turning, 0.2 * turning};
   qtraj_options* options = test::make_options({QTRAJ_HERMITE});
   qtraj_trajectory* handle = nullptr;
-  CHECK(qtraj_create_with_rates(options, times, q, QTRAJ_FRAME_BODY, omega, nullptr, 2, &handle, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, q, omega, nullptr, 2, &handle, nullptr) == QTRAJ_OK);
   qtraj_options_destroy(options);
   return Trajectory(handle);
 }
@@ -45,13 +45,13 @@ TEST_CASE("C API: diagnostics of a segment of many turns are right or NO_CONVERG
     const Sums expected = midpoint_sums(trajectory, 400000);
     double energy = 0, angle = 0;
     CAPTURE(turning);
-    CHECK(qtraj_energy(trajectory.get(), &energy) == QTRAJ_OK);
-    CHECK(qtraj_total_angle(trajectory.get(), &angle) == QTRAJ_OK);
+    CHECK(qtraj_curve_energy(trajectory.get(), &energy) == QTRAJ_OK);
+    CHECK(qtraj_curve_total_angle(trajectory.get(), &angle) == QTRAJ_OK);
     CHECK(std::abs(energy / expected.energy - 1) <= 1e-6);
     CHECK(std::abs(angle / expected.angle - 1) <= 1e-6);
   }
   double energy = -7;
-  CHECK(qtraj_energy(winding(1e8).get(), &energy) == QTRAJ_E_NO_CONVERGENCE);
+  CHECK(qtraj_curve_energy(winding(1e8).get(), &energy) == QTRAJ_E_NO_CONVERGENCE);
   CHECK(energy == -7);
 }
 
@@ -62,10 +62,10 @@ TEST_CASE("C API: an acceleration that overflows does not spoil what is said of 
   keys.add(2e-154, {0.6, 0, 0.8, 0});
   const Trajectory trajectory({QTRAJ_NLERP}, keys);
   double omega[9], alpha[9], peak = 0, time = 0;
-  CHECK(qtraj_knot_jumps(trajectory.get(), QTRAJ_FRAME_WORLD, omega, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_curve_jumps(trajectory.get(), QTRAJ_FRAME_WORLD, omega, nullptr) == QTRAJ_OK);
   CHECK(std::isfinite(omega[4]));
-  CHECK(qtraj_knot_jumps(trajectory.get(), QTRAJ_FRAME_WORLD, omega, alpha) == QTRAJ_E_NOT_FINITE);
-  CHECK(qtraj_peak_rates(trajectory.get(), &peak, &time, nullptr, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_curve_jumps(trajectory.get(), QTRAJ_FRAME_WORLD, omega, alpha) == QTRAJ_E_NOT_FINITE);
+  CHECK(qtraj_curve_peak_rates(trajectory.get(), &peak, &time, nullptr, nullptr) == QTRAJ_OK);
   CHECK(peak > 1e153);
-  CHECK(qtraj_peak_rates(trajectory.get(), nullptr, nullptr, &peak, nullptr) == QTRAJ_E_NOT_FINITE);
+  CHECK(qtraj_curve_peak_rates(trajectory.get(), nullptr, nullptr, &peak, nullptr) == QTRAJ_E_NOT_FINITE);
 }

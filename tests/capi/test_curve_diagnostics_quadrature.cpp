@@ -58,9 +58,9 @@ TEST_CASE("C API: energy, length and peaks are those of dense samples, for every
         REQUIRE(built.status == QTRAJ_OK);
         const qtraj_trajectory* curve = built.trajectory.get();
         double energy = 0, angle = 0, omega = 0, alpha = 0, omega_time = 0, alpha_time = 0;
-        REQUIRE(qtraj_energy(curve, &energy) == QTRAJ_OK);
-        REQUIRE(qtraj_total_angle(curve, &angle) == QTRAJ_OK);
-        REQUIRE(qtraj_peak_rates(curve, &omega, &omega_time, &alpha, &alpha_time) == QTRAJ_OK);
+        REQUIRE(qtraj_curve_energy(curve, &energy) == QTRAJ_OK);
+        REQUIRE(qtraj_curve_total_angle(curve, &angle) == QTRAJ_OK);
+        REQUIRE(qtraj_curve_peak_rates(curve, &omega, &omega_time, &alpha, &alpha_time) == QTRAJ_OK);
         const Dense dense = integrate(curve, keys.times, 400);
         // where |omega| has a kink or nearly one, dense samples converge slowly
         CHECK(std::abs(angle - dense.angle) <= 2e-7 * dense.angle);
@@ -99,8 +99,8 @@ TEST_CASE("C API: length and energy do not depend on the frame, the start or the
     double results[2][2] = {};
     for (const auto* each : {&keys, &moved}) {
       const Trajectory curve = must_build(make_options({"", method}).get(), *each);
-      REQUIRE(qtraj_energy(curve.get(), &results[each == &moved][0]) == QTRAJ_OK);
-      REQUIRE(qtraj_total_angle(curve.get(), &results[each == &moved][1]) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_energy(curve.get(), &results[each == &moved][0]) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_total_angle(curve.get(), &results[each == &moved][1]) == QTRAJ_OK);
     }
     CAPTURE(method);
     CHECK(std::abs(results[0][0] - results[1][0]) <= 1e-10 * results[0][0] + 1e-25);
@@ -122,7 +122,7 @@ TEST_CASE("C API: least_norm of a quaternion quintic from rest to rest is that o
     CAPTURE(half_angle);
     const Trajectory curve = quaternion_quintic(half_angle, 0.0, 4.0);
     double norm = 0, time = 0;
-    REQUIRE(qtraj_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
     CHECK(std::abs(norm - std::cos(0.5 * half_angle)) <= 1e-14);  // a half turn: sqrt(1/2)
     CHECK(std::abs(time - 3.0) <= 1e-6);
   }
@@ -148,7 +148,7 @@ TEST_CASE("C API: least_norm of fast ends is far lower, and is the least of dens
     }
     const Trajectory curve = quaternion_quintic(1.5707963267948966, rate, 1.0);
     double norm = 0, time = 0;
-    REQUIRE(qtraj_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
     CHECK(norm <= least + 1e-13);
     CHECK(norm >= least - 1e-6);
     CHECK(std::min(std::abs(time - 1 - least_at), std::abs(2 - time - least_at)) <= 1e-4);  // it may have two
@@ -163,7 +163,7 @@ TEST_CASE("C API: least_norm is 1 for the methods that do not normalise, at a ti
     const Trajectory curve =
         must_build(make_options(variant).get(), closed_tour<double>(6), rates_for<double>(variant, 6));
     double norm = 0, time = 1e9;
-    REQUIRE(qtraj_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
     CHECK((time >= qtraj_start_time(curve.get()) && time <= qtraj_end_time(curve.get())));
     if (variant.method == QTRAJ_NLERP || variant.method == QTRAJ_QUATERNION_QUINTIC)
       CHECK((norm < 1 && norm > 0.5));
@@ -182,14 +182,14 @@ TEST_CASE("C API: peaks and length of a quintic that passes close by 0 are found
     const Keyframes<double> keys = {{0, 1}, {1, 0, 0, 0, 0, 1, aside, 0}};
     const Trajectory curve = must_build(make_options(variant).get(), keys, rates);
     double norm = 0, peak = 0, time = 0, angle = 0;
-    REQUIRE(qtraj_least_norm(curve.get(), &norm, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_least_norm(curve.get(), &norm, nullptr) == QTRAJ_OK);
     CHECK(norm < 3 * aside);
-    REQUIRE(qtraj_peak_rates(curve.get(), &peak, &time, nullptr, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_peak_rates(curve.get(), &peak, &time, nullptr, nullptr) == QTRAJ_OK);
     CHECK(std::abs(time - 0.5) <= 1e-3);
     CHECK(peak > 1 / aside);
     const Dense dense = integrate(curve.get(), keys.times, 100000);
     CHECK(peak >= dense.omega * (1 - 1e-9));
-    REQUIRE(qtraj_total_angle(curve.get(), &angle) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_total_angle(curve.get(), &angle) == QTRAJ_OK);
     CHECK(std::abs(angle - dense.angle) <= 1e-9 * dense.angle);
   }
 }

@@ -26,9 +26,9 @@ TEST_CASE("C API: derivatives are within 1.5 eps |omega| and eps (|omega|^2 + 2 
   const std::vector<double> omega = HardRows(51, 140).vectors(), alpha = HardRows(52, 280).vectors();
   std::vector<double> dq(4 * kHardRows), ddq(4 * kHardRows), dq_alone(4 * kHardRows);
   for (const int32_t frame : kFrames) {
-    REQUIRE(qtraj_derivatives_from_rates(q.data(), frame, omega.data(), alpha.data(), kHardRows, dq.data(), ddq.data(),
+    REQUIRE(qtraj_derivatives_from_rates(frame, q.data(), omega.data(), alpha.data(), kHardRows, dq.data(), ddq.data(),
                                          nullptr) == QTRAJ_OK);
-    REQUIRE(qtraj_derivatives_from_rates(q.data(), frame, omega.data(), nullptr, kHardRows, dq_alone.data(), nullptr,
+    REQUIRE(qtraj_derivatives_from_rates(frame, q.data(), omega.data(), nullptr, kHardRows, dq_alone.data(), nullptr,
                                          nullptr) == QTRAJ_OK);
     CHECK(std::memcmp(dq.data(), dq_alone.data(), dq.size() * sizeof(double)) == 0);
     Worst worst, worst_second;
@@ -84,10 +84,10 @@ TEST_CASE("C API: rates of a curve of any norm are within 6 eps of its derivativ
     }
   }
   for (const int32_t frame : kFrames) {
-    REQUIRE(qtraj_rates_from_derivatives(q.data(), frame, dq.data(), ddq.data(), kHardRows, omega.data(), alpha.data(),
+    REQUIRE(qtraj_rates_from_derivatives(frame, q.data(), dq.data(), ddq.data(), kHardRows, omega.data(), alpha.data(),
                                          nullptr) == QTRAJ_OK);
     std::vector<double> omega_alone(3 * kHardRows);
-    REQUIRE(qtraj_rates_from_derivatives(q.data(), frame, dq.data(), nullptr, kHardRows, omega_alone.data(), nullptr,
+    REQUIRE(qtraj_rates_from_derivatives(frame, q.data(), dq.data(), nullptr, kHardRows, omega_alone.data(), nullptr,
                                          nullptr) == QTRAJ_OK);
     CHECK(std::memcmp(omega.data(), omega_alone.data(), omega.size() * sizeof(double)) == 0);
     Worst worst, worst_alpha;
@@ -117,12 +117,12 @@ TEST_CASE("C API: a curve that grows while it turns has the rates of its directi
       const double w[3] = {rate * axis[0], rate * axis[1], rate * axis[2]},
                    a[3] = {change * axis[0], change * axis[1], change * axis[2]};
       double dq[4], ddq[4], omega[3], alpha[3];
-      REQUIRE(qtraj_derivatives_from_rates(q0.data(), frame, w, a, 1, dq, ddq, nullptr) == QTRAJ_OK);
+      REQUIRE(qtraj_derivatives_from_rates(frame, q0.data(), w, a, 1, dq, ddq, nullptr) == QTRAJ_OK);
       for (size_t k = 0; k < 4; ++k) {
         ddq[k] += growth * growth * q0[k] + 2 * growth * dq[k];
         dq[k] += growth * q0[k];
       }
-      REQUIRE(qtraj_rates_from_derivatives(q0.data(), frame, dq, ddq, 1, omega, alpha, nullptr) == QTRAJ_OK);
+      REQUIRE(qtraj_rates_from_derivatives(frame, q0.data(), dq, ddq, 1, omega, alpha, nullptr) == QTRAJ_OK);
       REQUIRE(wide::error(omega, wide::vector(w)) <= 1e-14);
       REQUIRE(wide::error(alpha, wide::vector(a)) <= 1e-13);
     }
@@ -144,7 +144,7 @@ TEST_CASE("C API: derivatives agree with differences of a turning motion", "[cap
                alpha[3] = {change * axis[0], change * axis[1], change * axis[2]};
   for (const int32_t frame : kFrames) {
     double dq[4], ddq[4];
-    REQUIRE(qtraj_derivatives_from_rates(now.data(), frame, omega, alpha, 1, dq, ddq, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_derivatives_from_rates(frame, now.data(), omega, alpha, 1, dq, ddq, nullptr) == QTRAJ_OK);
     for (size_t k = 0; k < 4; ++k) {
       CHECK(std::abs(dq[k] - (after[k] - before[k]) / (2 * step)) <= 1e-8);
       CHECK(std::abs(ddq[k] - (after[k] - 2 * now[k] + before[k]) / (step * step)) <= 1e-7);
@@ -160,7 +160,7 @@ TEST_CASE("C API: rates and derivatives past the range of double are NOT_FINITE,
     double dq[4], ddq[4], omega[3], alpha[3];
     const auto derivatives = [&](double w, double a) {
       const double rate[3] = {0, w, 0}, acceleration[3] = {a, 0, 0};
-      return qtraj_derivatives_from_rates(one, frame, rate, acceleration, 1, dq, ddq, nullptr);
+      return qtraj_derivatives_from_rates(frame, one, rate, acceleration, 1, dq, ddq, nullptr);
     };
     // |omega|^2 overflows, but not |omega|^2 / 4 here
     CHECK(derivatives(2e154, 0) == QTRAJ_OK);
@@ -174,20 +174,20 @@ TEST_CASE("C API: rates and derivatives past the range of double are NOT_FINITE,
     CHECK((dq[2] == 0.5e-160 && std::abs(ddq[0] + 0.25e-320) <= 2 * kLeast));
     // without alpha the square is not asked for
     const double fast[3] = {0, DBL_MAX, 0};
-    CHECK(qtraj_derivatives_from_rates(one, frame, fast, nullptr, 1, dq, nullptr, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_derivatives_from_rates(frame, one, fast, nullptr, 1, dq, nullptr, nullptr) == QTRAJ_OK);
     CHECK(dq[2] == DBL_MAX / 2);
-    CHECK(qtraj_derivatives_from_rates(small, frame, fast, still, 1, dq, ddq, nullptr) == QTRAJ_E_NOT_FINITE);
+    CHECK(qtraj_derivatives_from_rates(frame, small, fast, still, 1, dq, ddq, nullptr) == QTRAJ_E_NOT_FINITE);
 
     const double unit_rate[4] = {0, 1, 0, 0}, none[4] = {};
-    CHECK(qtraj_rates_from_derivatives(big, frame, unit_rate, none, 1, omega, alpha, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_rates_from_derivatives(frame, big, unit_rate, none, 1, omega, alpha, nullptr) == QTRAJ_OK);
     CHECK((std::abs(std::abs(omega[2]) / 2e-160 - 1) <= 4 * kEps && alpha[0] == 0 && alpha[2] == 0));
-    CHECK(qtraj_rates_from_derivatives(small, frame, unit_rate, none, 1, omega, alpha, nullptr) == QTRAJ_E_NOT_FINITE);
+    CHECK(qtraj_rates_from_derivatives(frame, small, unit_rate, none, 1, omega, alpha, nullptr) == QTRAJ_E_NOT_FINITE);
     CHECK((std::isnan(omega[0]) && std::isnan(alpha[0])));
-    CHECK(qtraj_rates_from_derivatives(small, frame, small, small, 1, omega, alpha, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_rates_from_derivatives(frame, small, small, small, 1, omega, alpha, nullptr) == QTRAJ_OK);
     CHECK((omega[0] == 0 && omega[1] == 0 && omega[2] == 0 && alpha[0] == 0));
     // the norm's own rate, however large, is no rate
     const double growth[4] = {0, 0, 1e300, 0};
-    CHECK(qtraj_rates_from_derivatives(big, frame, growth, growth, 1, omega, alpha, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_rates_from_derivatives(frame, big, growth, growth, 1, omega, alpha, nullptr) == QTRAJ_OK);
     CHECK((omega[0] == 0 && omega[1] == 0 && omega[2] == 0 && alpha[0] == 0 && alpha[1] == 0 && alpha[2] == 0));
   }
 }

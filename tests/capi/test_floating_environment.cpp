@@ -184,14 +184,15 @@ TEST_CASE("C API: setters, sizes and getters raise nothing", "[capi][floating]")
       CHECK(disturbance([&] {
               size_t bytes;
               double times[6], q[24], norm, time;
-              qtraj_size(options.get(), 100, &bytes);
-              qtraj_size(options.get(), SIZE_MAX, &bytes);
+              qtraj_init_size(options.get(), 100, &bytes);
+              qtraj_init_size(options.get(), SIZE_MAX, &bytes);
               qtraj_method(trajectory), qtraj_key_count(trajectory), qtraj_start_time(trajectory);
               qtraj_end_time(trajectory), qtraj_sign_flips(trajectory), qtraj_worst_norm_error(trajectory);
               qtraj_least_dot(trajectory), qtraj_iterations(trajectory), qtraj_residual(trajectory);
-              qtraj_keys(trajectory, times, q), qtraj_least_norm(trajectory, &norm, &time);
-              qtraj_knot_jumps(trajectory, QTRAJ_FRAME_WORLD, q, nullptr), qtraj_energy(trajectory, &norm);
-              qtraj_peak_rates(trajectory, &norm, &time, nullptr, nullptr), qtraj_total_angle(trajectory, &norm);
+              qtraj_keys(trajectory, times, q), qtraj_curve_least_norm(trajectory, &norm, &time);
+              qtraj_curve_jumps(trajectory, QTRAJ_FRAME_WORLD, q, nullptr), qtraj_curve_energy(trajectory, &norm);
+              qtraj_curve_peak_rates(trajectory, &norm, &time, nullptr, nullptr),
+                  qtraj_curve_total_angle(trajectory, &norm);
               qtraj_version(), qtraj_version_number(), qtraj_target(), qtraj_status_text(1000);
             }) == kNothing);
   }

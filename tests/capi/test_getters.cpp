@@ -117,7 +117,7 @@ TEST_CASE("C API: least_norm is that of NLERP's chords, 1 for other methods", "[
     if (method == QTRAJ_QUATERNION_QUINTIC) continue;  // has tests of its own
     const Trajectory curve = must_build(make_options({"", method}).get(), keys, rates_for<double>({"", method}, 4));
     double norm = 7, time = 7;
-    REQUIRE(qtraj_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_least_norm(curve.get(), &norm, &time) == QTRAJ_OK);
     if (method == QTRAJ_NLERP) {
       CHECK(std::abs(norm - std::sqrt(0.5)) <= 4 * DBL_EPSILON);
       CHECK(time == 4.0);
@@ -126,11 +126,11 @@ TEST_CASE("C API: least_norm is that of NLERP's chords, 1 for other methods", "[
       CHECK((time >= 0.0 && time <= 7.0));
     }
     double again = 7;
-    CHECK(qtraj_least_norm(curve.get(), &again, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_curve_least_norm(curve.get(), &again, nullptr) == QTRAJ_OK);
     CHECK(again == norm);
-    CHECK(qtraj_least_norm(curve.get(), nullptr, &time) == QTRAJ_E_NULL);
+    CHECK(qtraj_curve_least_norm(curve.get(), nullptr, &time) == QTRAJ_E_NULL);
     norm = time = 7;
-    CHECK(qtraj_least_norm(nullptr, &norm, &time) == QTRAJ_E_NULL);
+    CHECK(qtraj_curve_least_norm(nullptr, &norm, &time) == QTRAJ_E_NULL);
     CHECK((norm == 7 && time == 7));
   }
 }

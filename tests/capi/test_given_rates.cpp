@@ -61,7 +61,7 @@ TEST_CASE("C API: given rates are met at the keys from both sides, in both frame
         if (variant.needs_alpha()) CHECK(largest_difference(right.alpha, rates.alpha) <= 1e-13 * scale.alpha);
         // the left-hand values are less by the jumps
         std::vector<double> omega_jump(27), alpha_jump(27);
-        REQUIRE(qtraj_knot_jumps(curve.get(), frame, omega_jump.data(), alpha_jump.data()) == QTRAJ_OK);
+        REQUIRE(qtraj_curve_jumps(curve.get(), frame, omega_jump.data(), alpha_jump.data()) == QTRAJ_OK);
         CHECK(largest_difference(omega_jump, std::vector<double>(27)) <= 1e-13 * scale.omega);
         if (variant.needs_alpha())
           CHECK(largest_difference(alpha_jump, std::vector<double>(27)) <= 1e-13 * scale.alpha);
@@ -120,8 +120,8 @@ TEST_CASE("C API: rates are needed by some methods and refused by the others", "
       const auto create_rates = [&](const Real* omega_in, const Real* alpha_in) {
         bad_index = 0;
         out = reinterpret_cast<qtraj_trajectory*>(&stale);
-        const qtraj_status status = create_with_rates(options.get(), keys.times.data(), keys.q.data(),
-                                                      QTRAJ_FRAME_WORLD, omega_in, alpha_in, 5, &out, &bad_index);
+        const qtraj_status status = create_with_rates(options.get(), QTRAJ_FRAME_WORLD, keys.times.data(),
+                                                      keys.q.data(), omega_in, alpha_in, 5, &out, &bad_index);
         CHECK(bad_index == SIZE_MAX);
         CHECK((out != nullptr) == (status == QTRAJ_OK));
         if (status == QTRAJ_OK) qtraj_destroy(out);

@@ -25,11 +25,11 @@ struct Case {
       : keys(closed_tour<Real>(count)), rates(rates_for<Real>(variant, count)), options(make_options(variant)) {
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE) ==
             QTRAJ_OK);
-    REQUIRE(qtraj_size(options.get(), count, &bytes) == QTRAJ_OK);
+    REQUIRE(qtraj_init_size(options.get(), count, &bytes) == QTRAJ_OK);
   }
 
   qtraj_status init_at(void* memory, size_t size, qtraj_trajectory** out) const {
-    return init(memory, size, options.get(), keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, rates.omega_or_null(),
+    return init(memory, size, options.get(), QTRAJ_FRAME_BODY, keys.times.data(), keys.q.data(), rates.omega_or_null(),
                 rates.alpha_or_null(), keys.count(), out, nullptr);
   }
   std::vector<double> times() const {
@@ -39,7 +39,7 @@ struct Case {
   }
 };
 
-TEST_CASE("C API: init with exactly qtraj_size bytes gives the bits of the heap, keys and options gone",
+TEST_CASE("C API: init with exactly qtraj_init_size bytes gives the bits of the heap, keys and options gone",
           "[capi][memory]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
@@ -151,7 +151,7 @@ TEST_CASE("C API: init refuses memory that any input shares, and takes inputs ri
       size_t bad_index = 0;
       qtraj_trajectory* out = reinterpret_cast<qtraj_trajectory*>(block.data());
       const qtraj_status status =
-          init(memory, all.bytes, options, times, q, QTRAJ_FRAME_BODY, omega, alpha, 4, &out, &bad_index);
+          init(memory, all.bytes, options, QTRAJ_FRAME_BODY, times, q, omega, alpha, 4, &out, &bad_index);
       CHECK(bad_index == SIZE_MAX);
       CHECK((out == nullptr) == (status != QTRAJ_OK));
       if (status != QTRAJ_OK) CHECK(same_bits(block, before));
@@ -176,7 +176,7 @@ TEST_CASE("C API: an input beyond the bytes that init needs is no overlap", "[ca
   auto* const after = reinterpret_cast<unsigned char*>(block.data()) + (all.bytes + 7) / 8 * 8;
   const double* q = put(after, all.keys.q);
   qtraj_trajectory* out = nullptr;
-  CHECK(qtraj_init(block.data(), block.size() * sizeof(double), all.options.get(), all.keys.times.data(), q, 0, nullptr,
+  CHECK(qtraj_init(block.data(), block.size() * sizeof(double), all.options.get(), 0, all.keys.times.data(), q, nullptr,
                    nullptr, 4, &out, nullptr) == QTRAJ_OK);
   CHECK(std::equal(all.keys.q.begin(), all.keys.q.end(), q));
 }
@@ -192,31 +192,32 @@ TEST_CASE("C API: one options object and one block serve one trajectory after an
   }
 }
 
-TEST_CASE("C API: qtraj_size grows with the count up to PTRDIFF_MAX and is SIZE beyond", "[capi][memory][errors]") {
+TEST_CASE("C API: qtraj_init_size grows with the count up to PTRDIFF_MAX and is SIZE beyond",
+          "[capi][memory][errors]") {
   for (const Variant& variant : variants()) {
     CAPTURE(variant.name);
     const Options options = make_options(variant);
     size_t bytes = 12345;
-    CHECK(qtraj_size(nullptr, 2, &bytes) == QTRAJ_E_NULL);
-    CHECK(qtraj_size(nullptr, 0, &bytes) == QTRAJ_E_NULL);
-    CHECK(qtraj_size(options.get(), 0, nullptr) == QTRAJ_E_NULL);
-    CHECK(qtraj_size(options.get(), 0, &bytes) == QTRAJ_E_COUNT);
-    CHECK(qtraj_size(options.get(), 1, &bytes) == QTRAJ_E_COUNT);
-    CHECK(qtraj_size(options.get(), SIZE_MAX, &bytes) == QTRAJ_E_SIZE);
-    CHECK(qtraj_size(options.get(), PTRDIFF_MAX, &bytes) == QTRAJ_E_SIZE);
+    CHECK(qtraj_init_size(nullptr, 2, &bytes) == QTRAJ_E_NULL);
+    CHECK(qtraj_init_size(nullptr, 0, &bytes) == QTRAJ_E_NULL);
+    CHECK(qtraj_init_size(options.get(), 0, nullptr) == QTRAJ_E_NULL);
+    CHECK(qtraj_init_size(options.get(), 0, &bytes) == QTRAJ_E_COUNT);
+    CHECK(qtraj_init_size(options.get(), 1, &bytes) == QTRAJ_E_COUNT);
+    CHECK(qtraj_init_size(options.get(), SIZE_MAX, &bytes) == QTRAJ_E_SIZE);
+    CHECK(qtraj_init_size(options.get(), PTRDIFF_MAX, &bytes) == QTRAJ_E_SIZE);
     CHECK(bytes == 12345);  // untouched by errors
 
     size_t two = 0, three = 0;
-    REQUIRE(qtraj_size(options.get(), 2, &two) == QTRAJ_OK);
-    REQUIRE(qtraj_size(options.get(), 3, &three) == QTRAJ_OK);
+    REQUIRE(qtraj_init_size(options.get(), 2, &two) == QTRAJ_OK);
+    REQUIRE(qtraj_init_size(options.get(), 3, &three) == QTRAJ_OK);
     CHECK(three > two);
 
     size_t fits = 2, too_many = PTRDIFF_MAX;  // bisection
     while (too_many - fits > 1) {
       const size_t middle = fits + (too_many - fits) / 2;
-      (qtraj_size(options.get(), middle, &bytes) == QTRAJ_OK ? fits : too_many) = middle;
+      (qtraj_init_size(options.get(), middle, &bytes) == QTRAJ_OK ? fits : too_many) = middle;
     }
-    REQUIRE(qtraj_size(options.get(), fits, &bytes) == QTRAJ_OK);
+    REQUIRE(qtraj_init_size(options.get(), fits, &bytes) == QTRAJ_OK);
     CHECK(bytes <= static_cast<size_t>(PTRDIFF_MAX));
     CHECK(bytes > static_cast<size_t>(PTRDIFF_MAX) / 16 * 15);
     CHECK(bytes / fits >= 5 * sizeof(double));

@@ -68,8 +68,8 @@ TEST_CASE("C API: residual is the largest jump of alpha that knot_jumps finds", 
         must_build(make_options({"", QTRAJ_ROTATION_SPLINE}).get(), Keyframes<double>{walk.times, walk.q});
     std::vector<double> jumps(36);
     double peak = 0, fastest = 0;
-    REQUIRE(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_BODY, nullptr, jumps.data()) == QTRAJ_OK);
-    REQUIRE(qtraj_peak_rates(curve.get(), &fastest, nullptr, &peak, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, nullptr, jumps.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_peak_rates(curve.get(), &fastest, nullptr, &peak, nullptr) == QTRAJ_OK);
     double largest = 0;
     for (const double jump : jumps) largest = std::max(largest, std::abs(jump));
     CHECK(largest <= 1e-12 * std::max(peak, fastest / 0.2));
@@ -97,15 +97,16 @@ TEST_CASE("C API: keys without convergence are NO_CONVERGENCE: no trajectory, no
     int stale = 0;
     qtraj_trajectory* out = reinterpret_cast<qtraj_trajectory*>(&stale);
     size_t bad_index = 0;
-    CHECK(create_with(options.get(), keys.times.data(), keys.q.data(), 5, &out, &bad_index) == QTRAJ_E_NO_CONVERGENCE);
+    CHECK(create_with_options(options.get(), keys.times.data(), keys.q.data(), 5, &out, &bad_index) ==
+          QTRAJ_E_NO_CONVERGENCE);
     CHECK(out == nullptr);
     CHECK(bad_index == SIZE_MAX);
 
     size_t bytes = 0;
-    REQUIRE(qtraj_size(options.get(), 5, &bytes) == QTRAJ_OK);
+    REQUIRE(qtraj_init_size(options.get(), 5, &bytes) == QTRAJ_OK);
     const std::unique_ptr<void, Free> memory(std::malloc(bytes));
     out = reinterpret_cast<qtraj_trajectory*>(&stale);
-    CHECK(qtraj_init(memory.get(), bytes, options.get(), keys.times.data(), keys.q.data(), 0, nullptr, nullptr, 5, &out,
+    CHECK(qtraj_init(memory.get(), bytes, options.get(), 0, keys.times.data(), keys.q.data(), nullptr, nullptr, 5, &out,
                      nullptr) == QTRAJ_E_NO_CONVERGENCE);
     CHECK(out == nullptr);
   }

@@ -111,7 +111,7 @@ TEST_CASE("C API: threads sampling rates of one handle get the bits of one threa
         double number = 0;
         fine = sample_rates(curve, frame, times.data(), times.size(), motion.q.data(), motion.omega.data(),
                             motion.alpha.data(), nullptr) == QTRAJ_OK &&
-               same_bits(motion, expected) && qtraj_total_angle(curve, &number) == QTRAJ_OK;
+               same_bits(motion, expected) && qtraj_curve_total_angle(curve, &number) == QTRAJ_OK;
       });
     for (std::thread& thread : threads) thread.join();
     CHECK((right[0] && right[1] && right[2]));

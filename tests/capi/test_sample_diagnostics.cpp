@@ -126,8 +126,8 @@ TEST_CASE("C API: velocity jumps are differences of the estimated rates, whateve
     }
     knots.insert(knots.end(), {-DBL_MAX, DBL_MAX});
     std::vector<double> jumps(3 * knots.size());
-    qtraj_velocity_jump(samples.times.data(), samples.q.data(), samples.count(), knots.data(), knots.size(), frame,
-                        jumps.data(), nullptr);
+    qtraj_estimate_jumps(frame, samples.times.data(), samples.q.data(), samples.count(), knots.data(), knots.size(),
+                         jumps.data(), nullptr);
     size_t wrong = 0, outside = 0;
     for (size_t i = 0; i < knots.size(); ++i) {
       size_t after = samples.count() - 1, before = after;  // none
@@ -158,7 +158,7 @@ TEST_CASE("C API: the energy is that of rates within 6 eps of theirs", "[capi][s
                                    : hard_samples(random, 3 + static_cast<size_t>(round % 50), 160);
     double energy = 0;
     const qtraj_status status =
-        qtraj_smoothness_energy(samples.times.data(), samples.q.data(), samples.count(), frame, &energy, nullptr);
+        qtraj_estimate_energy(frame, samples.times.data(), samples.q.data(), samples.count(), &energy, nullptr);
     if (status == QTRAJ_E_AMBIGUOUS) continue;
     REQUIRE(status == QTRAJ_OK);
     wide::Real expected = 0, allowed = 0;
@@ -256,8 +256,8 @@ TEST_CASE("C API: the energy of a million samples is as good as that of three", 
   for (size_t k = 0; k < kCount; ++k)
     samples.add(0.25 * static_cast<double>(k), k % 2 ? test::Quaternion{1, 0.3, 0, 0} : test::Quaternion{1, 0, 0, 0.1});
   double three = 0, all = 0;
-  REQUIRE(qtraj_smoothness_energy(samples.times.data(), samples.q.data(), 3, 1, &three, nullptr) == QTRAJ_OK);
-  REQUIRE(qtraj_smoothness_energy(samples.times.data(), samples.q.data(), kCount, 1, &all, nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_estimate_energy(1, samples.times.data(), samples.q.data(), 3, &three, nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_estimate_energy(1, samples.times.data(), samples.q.data(), kCount, &all, nullptr) == QTRAJ_OK);
   CHECK(std::abs(all / (kCount - 2) - three) <= 8 * kEps * three);
 }
 

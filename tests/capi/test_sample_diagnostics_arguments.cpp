@@ -33,9 +33,9 @@ TEST_CASE("C API: diagnostics of good samples are OK and have no bad_index", "[c
       CHECK(!arguments.outputs_untouched());
     }
   SampleArguments a;
-  CHECK(qtraj_estimate_omega(a.times, a.q, 8, 1, a.t_mid_out, a.omega_out, nullptr) == QTRAJ_OK);
-  CHECK(qtraj_smoothness_energy(a.times, a.q, 8, 1, a.energy, nullptr) == QTRAJ_OK);
-  CHECK(qtraj_velocity_jump(a.times, a.q, 8, a.knot_times, 6, 1, a.jump_out, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_omega(1, a.times, a.q, 8, a.t_mid_out, a.omega_out, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_energy(1, a.times, a.q, 8, a.energy, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_jumps(1, a.times, a.q, 8, a.knot_times, 6, a.jump_out, nullptr) == QTRAJ_OK);
   CHECK(qtraj_keyframe_errors(a.times, a.q, 8, a.times, a.q, 8, a.error_out, a.index_out, nullptr) == QTRAJ_OK);
   for (size_t k = 0; k < 8; ++k) CHECK((a.errors[k] == 0 && a.indices[k] == k));
 }
@@ -79,7 +79,7 @@ TEST_CASE("C API: diagnostics of too few samples are COUNT, of none with NULL ar
 
 TEST_CASE("C API: no knots and no keys are OK with NULL arrays", "[capi][sample_diagnostics]") {
   SampleArguments a;
-  CHECK(qtraj_velocity_jump(a.times, a.q, 8, nullptr, 0, QTRAJ_FRAME_BODY, nullptr, &a.bad_index) == QTRAJ_OK);
+  CHECK(qtraj_estimate_jumps(QTRAJ_FRAME_BODY, a.times, a.q, 8, nullptr, 0, nullptr, &a.bad_index) == QTRAJ_OK);
   CHECK(qtraj_keyframe_errors(nullptr, nullptr, 0, a.times, a.q, 8, nullptr, nullptr, &a.bad_index) == QTRAJ_OK);
   CHECK(qtraj_keyframe_errors(nullptr, nullptr, 0, nullptr, nullptr, 0, nullptr, nullptr, &a.bad_index) == QTRAJ_OK);
   CHECK(a.bad_index == SIZE_MAX);

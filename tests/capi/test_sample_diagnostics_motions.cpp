@@ -159,16 +159,16 @@ TEST_CASE("C API: half a turn between samples is AMBIGUOUS, and the row one of t
     const qtraj_status expected = step.ambiguous ? QTRAJ_E_AMBIGUOUS : QTRAJ_OK;
     double t_mid[3], omega[9], energy = 0, jumps[6];
     size_t bad_index = 0;
-    CHECK(qtraj_estimate_omega(times, q, 4, QTRAJ_FRAME_BODY, t_mid, omega, &bad_index) == expected);
+    CHECK(qtraj_estimate_omega(QTRAJ_FRAME_BODY, times, q, 4, t_mid, omega, &bad_index) == expected);
     CHECK(bad_index == (step.ambiguous ? 2 : SIZE_MAX));
     const double size = 6.283185307179586;
     CHECK(std::abs(std::abs(omega[3]) - size) <= 1e-8);
     CHECK(error_of(omega, {0, 0, 0}) == 0);
-    CHECK(qtraj_smoothness_energy(times, q, 4, QTRAJ_FRAME_BODY, &energy, &bad_index) == expected);
+    CHECK(qtraj_estimate_energy(QTRAJ_FRAME_BODY, times, q, 4, &energy, &bad_index) == expected);
     CHECK(bad_index == (step.ambiguous ? 2 : SIZE_MAX));
     CHECK(std::abs(energy - (size * size / 0.75 + (size * size + size * size / 4) / 0.5)) <= 1e-6);
     const double knots[2] = {1.0, 1.5};
-    CHECK(qtraj_velocity_jump(times, q, 4, knots, 2, QTRAJ_FRAME_BODY, jumps, &bad_index) == expected);
+    CHECK(qtraj_estimate_jumps(QTRAJ_FRAME_BODY, times, q, 4, knots, 2, jumps, &bad_index) == expected);
     CHECK(bad_index == (step.ambiguous ? 4 : SIZE_MAX));
     CHECK(std::abs(jumps[0] - omega[3]) == 0);
     // the given sign in an exact tie: +x from -1 taken as it is

@@ -71,9 +71,9 @@ capi::Trajectory build(const Curve& curve) {
   qtraj_trajectory* out = nullptr;
   const size_t count = keys.times.size();
   const qtraj_status status =
-      setting.has_omega() ? capi::create_with_rates(options, keys.times.data(), q.data(), QTRAJ_FRAME_BODY, w.data(),
+      setting.has_omega() ? capi::create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), q.data(), w.data(),
                                                     setting.has_alpha() ? a.data() : nullptr, count, &out, nullptr)
-                          : capi::create_with(options, keys.times.data(), q.data(), count, &out, nullptr);
+                          : capi::create_with_options(options, keys.times.data(), q.data(), count, &out, nullptr);
   require(status == QTRAJ_OK, "a curve cannot be built");
   return capi::Trajectory(out);
 }

@@ -5,7 +5,7 @@
 set -euo pipefail
 libdir=$FOLDER/prefix/$LIBDIR
 readme=$SOURCE/README.md
-header=$SOURCE/capi/qtraj.h
+header=$SOURCE/include/qtraj.h
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 export LD_LIBRARY_PATH=$libdir
 unset PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR CFLAGS LDFLAGS

@@ -38,7 +38,7 @@ class ChordSpline:
         options = ctypes.c_void_p()
         self.call("qtraj_options_create", ctypes.c_int32(ROTATION_SPLINE), ctypes.byref(options))
         self.call("qtraj_options_set_ends", options, ctypes.c_int32(END_CHORD), ctypes.c_int32(END_CHORD))
-        self.call("qtraj_create_with", options, pointer(times), pointer(q), ctypes.c_size_t(len(times)),
+        self.call("qtraj_create_with_options", options, pointer(times), pointer(q), ctypes.c_size_t(len(times)),
                   ctypes.byref(self.handle), None)
         library.qtraj_options_destroy(options)
 

@@ -20,9 +20,9 @@ TEST_CASE("C API: diagnostics of recordings are finite, and their length is at l
         steps += 2 * std::atan2(std::sqrt(step[1] * step[1] + step[2] * step[2] + step[3] * step[3]), step[0]);
       }
       double angle = 0, energy = -1, omega = 0, omega_time = 0, alpha = -1, alpha_time = 0;
-      REQUIRE(qtraj_total_angle(curve.get(), &angle) == QTRAJ_OK);
-      REQUIRE(qtraj_energy(curve.get(), &energy) == QTRAJ_OK);
-      REQUIRE(qtraj_peak_rates(curve.get(), &omega, &omega_time, &alpha, &alpha_time) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_total_angle(curve.get(), &angle) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_energy(curve.get(), &energy) == QTRAJ_OK);
+      REQUIRE(qtraj_curve_peak_rates(curve.get(), &omega, &omega_time, &alpha, &alpha_time) == QTRAJ_OK);
       CHECK(angle >= steps * (1 - 1e-9));
       if (method == QTRAJ_SLERP || method == QTRAJ_NLERP) CHECK(std::abs(angle - steps) <= 1e-9 * steps);
       CHECK((energy >= 0 && std::isfinite(energy)));
@@ -62,9 +62,9 @@ TEST_CASE("C API: ROTATION_SPLINE through a recording has no jumps", "[reference
     const Trajectory curve({QTRAJ_ROTATION_SPLINE}, recording.keys);
     const size_t count = recording.keys.count();
     std::vector<double> omega(3 * count), alpha(3 * count);
-    REQUIRE(qtraj_knot_jumps(curve.get(), QTRAJ_FRAME_BODY, omega.data(), alpha.data()) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, omega.data(), alpha.data()) == QTRAJ_OK);
     double fastest = 0, hardest = 0, shortest = 1e300;
-    REQUIRE(qtraj_peak_rates(curve.get(), &fastest, nullptr, &hardest, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_peak_rates(curve.get(), &fastest, nullptr, &hardest, nullptr) == QTRAJ_OK);
     for (size_t i = 1; i < count; ++i)
       shortest = std::min(shortest, recording.keys.times[i] - recording.keys.times[i - 1]);
     double omega_jump = 0, alpha_jump = 0;

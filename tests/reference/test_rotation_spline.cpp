@@ -44,7 +44,7 @@ struct Jumps {
 };
 Jumps largest_jumps(const Trajectory& trajectory) {
   std::vector<double> omega(3 * qtraj_key_count(trajectory.get())), alpha(omega.size());
-  REQUIRE(qtraj_knot_jumps(trajectory.get(), QTRAJ_FRAME_BODY, omega.data(), alpha.data()) == QTRAJ_OK);
+  REQUIRE(qtraj_curve_jumps(trajectory.get(), QTRAJ_FRAME_BODY, omega.data(), alpha.data()) == QTRAJ_OK);
   return {largest_row(omega), largest_row(alpha)};
 }
 

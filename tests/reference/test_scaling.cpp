@@ -73,7 +73,7 @@ class Options {
 
 size_t bytes_for(const Variant& variant, size_t count) {
   size_t bytes = 0;
-  REQUIRE(qtraj_size(Options(variant).get(), count, &bytes) == QTRAJ_OK);
+  REQUIRE(qtraj_init_size(Options(variant).get(), count, &bytes) == QTRAJ_OK);
   return bytes;
 }
 
@@ -91,8 +91,8 @@ double construction_time(const Variant& variant, const Options& options, const I
   qtraj_trajectory* handle = nullptr;
   const std::clock_t start = std::clock();
   const qtraj_status status =
-      qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), input.keys.times.data(),
-                 input.keys.q.data(), QTRAJ_FRAME_BODY, omega, alpha, input.keys.count(), &handle, nullptr);
+      qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_BODY,
+                 input.keys.times.data(), input.keys.q.data(), omega, alpha, input.keys.count(), &handle, nullptr);
   const std::clock_t end = std::clock();
   qtraj_destroy(handle);
   REQUIRE(status == QTRAJ_OK);

@@ -45,7 +45,8 @@ Trajectory with_end_rates(const Keys& keys, int32_t frame, const Vector& start, 
   qtraj_options* options = test::make_options({QTRAJ_SQUAD, QTRAJ_END_GIVEN});
   REQUIRE(qtraj_options_set_end_rates(options, frame, start.data(), end.data()) == QTRAJ_OK);
   qtraj_trajectory* handle = nullptr;
-  CHECK(qtraj_create_with(options, keys.times.data(), keys.q.data(), keys.count(), &handle, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_create_with_options(options, keys.times.data(), keys.q.data(), keys.count(), &handle, nullptr) ==
+        QTRAJ_OK);
   qtraj_options_destroy(options);
   return Trajectory(handle);
 }
@@ -129,7 +130,7 @@ TEST_CASE("rates given at all keys are met at all of them, ends included", "[squ
     for (const double component : random.direction()) omega.push_back(component);
   qtraj_options* options = test::make_options({QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN});
   qtraj_trajectory* handle = nullptr;
-  REQUIRE(qtraj_create_with_rates(options, keys.times.data(), keys.q.data(), QTRAJ_FRAME_BODY, omega.data(), nullptr,
+  REQUIRE(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), keys.q.data(), omega.data(), nullptr,
                                   keys.count(), &handle, nullptr) == QTRAJ_OK);
   qtraj_options_destroy(options);
   const Trajectory trajectory(handle);

@@ -47,10 +47,10 @@ Trajectory trajectory_of(const VectorFile& file) {
   qtraj_trajectory* handle = nullptr;
   const double *times = file.keys.times.data(), *q = file.keys.q.data();
   if (file.omega_world.empty()) {
-    CHECK(qtraj_create_with(options, times, q, file.keys.count(), &handle, nullptr) == QTRAJ_OK);
+    CHECK(qtraj_create_with_options(options, times, q, file.keys.count(), &handle, nullptr) == QTRAJ_OK);
   } else {
     const double* alpha = file.method == "hermite" ? nullptr : file.alpha_world.data();
-    CHECK(qtraj_create_with_rates(options, times, q, QTRAJ_FRAME_WORLD, file.omega_world.data(), alpha,
+    CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_WORLD, times, q, file.omega_world.data(), alpha,
                                   file.keys.count(), &handle, nullptr) == QTRAJ_OK);
   }
   qtraj_options_destroy(options);

@@ -46,33 +46,33 @@ inline qtraj_status create(int32_t method, const double* times, const float* q, 
                            size_t* bad_index) {
   return qtraj_create_f32(method, times, q, count, out, bad_index);
 }
-inline qtraj_status create_with(const qtraj_options* options, const double* times, const double* q, size_t count,
+inline qtraj_status create_with_options(const qtraj_options* options, const double* times, const double* q, size_t count,
                                 qtraj_trajectory** out, size_t* bad_index) {
-  return qtraj_create_with(options, times, q, count, out, bad_index);
+  return qtraj_create_with_options(options, times, q, count, out, bad_index);
 }
-inline qtraj_status create_with(const qtraj_options* options, const double* times, const float* q, size_t count,
+inline qtraj_status create_with_options(const qtraj_options* options, const double* times, const float* q, size_t count,
                                 qtraj_trajectory** out, size_t* bad_index) {
-  return qtraj_create_with_f32(options, times, q, count, out, bad_index);
+  return qtraj_create_with_options_f32(options, times, q, count, out, bad_index);
 }
-inline qtraj_status create_with_rates(const qtraj_options* options, const double* times, const double* q, int32_t frame,
+inline qtraj_status create_with_rates(const qtraj_options* options, int32_t frame, const double* times, const double* q,
                                       const double* omega, const double* alpha, size_t count, qtraj_trajectory** out,
                                       size_t* bad_index) {
-  return qtraj_create_with_rates(options, times, q, frame, omega, alpha, count, out, bad_index);
+  return qtraj_create_with_rates(options, frame, times, q, omega, alpha, count, out, bad_index);
 }
-inline qtraj_status create_with_rates(const qtraj_options* options, const double* times, const float* q, int32_t frame,
+inline qtraj_status create_with_rates(const qtraj_options* options, int32_t frame, const double* times, const float* q,
                                       const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
                                       size_t* bad_index) {
-  return qtraj_create_with_rates_f32(options, times, q, frame, omega, alpha, count, out, bad_index);
+  return qtraj_create_with_rates_f32(options, frame, times, q, omega, alpha, count, out, bad_index);
 }
-inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, const double* times, const double* q,
-                         int32_t frame, const double* omega, const double* alpha, size_t count, qtraj_trajectory** out,
-                         size_t* bad_index) {
-  return qtraj_init(memory, bytes, options, times, q, frame, omega, alpha, count, out, bad_index);
+inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
+                         const double* q, const double* omega, const double* alpha, size_t count,
+                         qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_init(memory, bytes, options, frame, times, q, omega, alpha, count, out, bad_index);
 }
-inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, const double* times, const float* q,
-                         int32_t frame, const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
+inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
+                         const float* q, const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
                          size_t* bad_index) {
-  return qtraj_init_f32(memory, bytes, options, times, q, frame, omega, alpha, count, out, bad_index);
+  return qtraj_init_f32(memory, bytes, options, frame, times, q, omega, alpha, count, out, bad_index);
 }
 inline qtraj_status sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
                            size_t* bad_index) {

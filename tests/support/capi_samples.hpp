@@ -20,22 +20,22 @@ struct EstimatedRates {
 inline EstimatedRates estimate(const test::Keys& samples, int32_t frame) {
   EstimatedRates rates = {std::vector<double>(samples.count() - 1), std::vector<double>(3 * samples.count() - 3),
                           QTRAJ_OK};
-  rates.status = qtraj_estimate_omega(samples.times.data(), samples.q.data(), samples.count(), frame,
+  rates.status = qtraj_estimate_omega(frame, samples.times.data(), samples.q.data(), samples.count(),
                                       rates.t_mid.data(), rates.omega.data(), nullptr);
   return rates;
 }
 
 inline double energy_of(const test::Keys& samples, int32_t frame) {
   double energy = 0;
-  REQUIRE(qtraj_smoothness_energy(samples.times.data(), samples.q.data(), samples.count(), frame, &energy, nullptr) ==
+  REQUIRE(qtraj_estimate_energy(frame, samples.times.data(), samples.q.data(), samples.count(), &energy, nullptr) ==
           QTRAJ_OK);
   return energy;
 }
 
 inline std::vector<double> jumps_of(const test::Keys& samples, const std::vector<double>& knots, int32_t frame) {
   std::vector<double> jumps(3 * knots.size());
-  REQUIRE(qtraj_velocity_jump(samples.times.data(), samples.q.data(), samples.count(), knots.data(), knots.size(),
-                              frame, jumps.data(), nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_estimate_jumps(frame, samples.times.data(), samples.q.data(), samples.count(), knots.data(),
+                               knots.size(), jumps.data(), nullptr) == QTRAJ_OK);
   return jumps;
 }
 
@@ -84,11 +84,11 @@ enum SampleFunction { kOmega, kEnergy, kJumps, kErrors, kFunctions };
 inline qtraj_status call(SampleFunction function, SampleArguments& a) {
   switch (function) {
     case kOmega:
-      return qtraj_estimate_omega(a.times, a.q, a.count, a.frame, a.t_mid_out, a.omega_out, &a.bad_index);
+      return qtraj_estimate_omega(a.frame, a.times, a.q, a.count, a.t_mid_out, a.omega_out, &a.bad_index);
     case kEnergy:
-      return qtraj_smoothness_energy(a.times, a.q, a.count, a.frame, a.energy, &a.bad_index);
+      return qtraj_estimate_energy(a.frame, a.times, a.q, a.count, a.energy, &a.bad_index);
     case kJumps:
-      return qtraj_velocity_jump(a.times, a.q, a.count, a.knot_times, a.knot_count, a.frame, a.jump_out, &a.bad_index);
+      return qtraj_estimate_jumps(a.frame, a.times, a.q, a.count, a.knot_times, a.knot_count, a.jump_out, &a.bad_index);
     default:
       return qtraj_keyframe_errors(a.key_times, a.key_q, a.key_count, a.times, a.q, a.count, a.error_out, a.index_out,
                                    &a.bad_index);

@@ -128,16 +128,17 @@ struct Built {
   Trajectory trajectory;
 };
 
-// create_with, or create_with_rates where there are rates.
+// create_with_options, or create_with_rates where there are rates.
 template <class Real>
 Built build(const qtraj_options* options, const Keyframes<Real>& keys, const Rates<Real>& rates = {},
             int32_t frame = QTRAJ_FRAME_BODY) {
   qtraj_trajectory* out = nullptr;
   size_t bad_index = 0;
   const qtraj_status status =
-      rates.omega.empty() ? create_with(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
-                          : create_with_rates(options, keys.times.data(), keys.q.data(), frame, rates.omega.data(),
-                                              rates.alpha_or_null(), keys.count(), &out, &bad_index);
+      rates.omega.empty()
+          ? create_with_options(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
+          : create_with_rates(options, frame, keys.times.data(), keys.q.data(), rates.omega.data(),
+                              rates.alpha_or_null(), keys.count(), &out, &bad_index);
   return {status, bad_index, Trajectory(out)};
 }
 template <class Real>

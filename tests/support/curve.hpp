@@ -79,10 +79,10 @@ inline qtraj_trajectory* build_handle(const Curve& curve) {
   qtraj_trajectory* handle = nullptr;
   const qtraj_status status =
       curve.variant.needs_omega()
-          ? qtraj_create_with_rates(options, keys.times.data(), keys.q.data(), curve.frame, omega.data(),
+          ? qtraj_create_with_rates(options, curve.frame, keys.times.data(), keys.q.data(), omega.data(),
                                     curve.variant.needs_alpha() ? alpha.data() : nullptr, keys.count(), &handle,
                                     nullptr)
-          : qtraj_create_with(options, keys.times.data(), keys.q.data(), keys.count(), &handle, nullptr);
+          : qtraj_create_with_options(options, keys.times.data(), keys.q.data(), keys.count(), &handle, nullptr);
   qtraj_options_destroy(options);
   REQUIRE(status == QTRAJ_OK);
   return handle;

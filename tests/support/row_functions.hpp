@@ -113,19 +113,19 @@ inline std::vector<RowFunction<double>> row_functions(double) {
   for (const int32_t frame : {QTRAJ_FRAME_BODY, QTRAJ_FRAME_WORLD}) {
     functions.push_back(
         {"derivatives_from_rates", {q, vector, vector}, {4, 4}, true, [=](In in, size_t n, Out out, size_t* bad) {
-           return qtraj_derivatives_from_rates(in[0], frame, in[1], in[2], n, out[0], out[1], bad);
+           return qtraj_derivatives_from_rates(frame, in[0], in[1], in[2], n, out[0], out[1], bad);
          }});
     functions.push_back(
         {"first derivatives_from_rates", {q, vector}, {4}, true, [=](In in, size_t n, Out out, size_t* bad) {
-           return qtraj_derivatives_from_rates(in[0], frame, in[1], nullptr, n, out[0], nullptr, bad);
+           return qtraj_derivatives_from_rates(frame, in[0], in[1], nullptr, n, out[0], nullptr, bad);
          }});
     functions.push_back(
         {"rates_from_derivatives", {q, any, any}, {3, 3}, true, [=](In in, size_t n, Out out, size_t* bad) {
-           return qtraj_rates_from_derivatives(in[0], frame, in[1], in[2], n, out[0], out[1], bad);
+           return qtraj_rates_from_derivatives(frame, in[0], in[1], in[2], n, out[0], out[1], bad);
          }});
     functions.push_back(
         {"first rates_from_derivatives", {q, any}, {3}, true, [=](In in, size_t n, Out out, size_t* bad) {
-           return qtraj_rates_from_derivatives(in[0], frame, in[1], nullptr, n, out[0], nullptr, bad);
+           return qtraj_rates_from_derivatives(frame, in[0], in[1], nullptr, n, out[0], nullptr, bad);
          }});
   }
   return functions;

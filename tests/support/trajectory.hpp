@@ -40,7 +40,7 @@ class Trajectory {
   Trajectory(const Settings& settings, const Keys& keys) {
     qtraj_options* options = make_options(settings);
     const qtraj_status status =
-        qtraj_create_with(options, keys.times.data(), keys.q.data(), keys.count(), &handle_, nullptr);
+        qtraj_create_with_options(options, keys.times.data(), keys.q.data(), keys.count(), &handle_, nullptr);
     qtraj_options_destroy(options);
     REQUIRE(status == QTRAJ_OK);
   }

@@ -95,23 +95,23 @@ static void check_samples(void) {
   memcpy(t, times, sizeof t);
   memcpy(q, keys, sizeof q);
   q[6][1] = NAN;
-  CHECK(qtraj_estimate_omega(t, q[0], count, QTRAJ_FRAME_BODY, NULL, omega[0], &bad) == QTRAJ_E_NOT_FINITE && bad == 6);
+  CHECK(qtraj_estimate_omega(QTRAJ_FRAME_BODY, t, q[0], count, NULL, omega[0], &bad) == QTRAJ_E_NOT_FINITE && bad == 6);
   CHECK(!isnan(omega[4][0]) && isnan(omega[5][0]) && isnan(omega[6][0]));
-  CHECK(qtraj_smoothness_energy(t, q[0], count, QTRAJ_FRAME_BODY, &energy, &bad) == QTRAJ_E_NOT_FINITE && bad == 6);
+  CHECK(qtraj_estimate_energy(QTRAJ_FRAME_BODY, t, q[0], count, &energy, &bad) == QTRAJ_E_NOT_FINITE && bad == 6);
   CHECK(isnan(energy));
   /* knot 0 does not use it, knot 1 lies between samples 4 and 5 and does */
-  CHECK(qtraj_velocity_jump(t, q[0], count, knots, 2, QTRAJ_FRAME_BODY, jump[0], &bad) == QTRAJ_E_NOT_FINITE);
+  CHECK(qtraj_estimate_jumps(QTRAJ_FRAME_BODY, t, q[0], count, knots, 2, jump[0], &bad) == QTRAJ_E_NOT_FINITE);
   CHECK(bad == 6 && !isnan(jump[0][0]) && isnan(jump[1][0]));
   CHECK(qtraj_keyframe_errors(knots, keys[1], 2, t, q[0], count, error, nearest, &bad) == QTRAJ_E_NOT_FINITE);
   CHECK(bad == 2 + 6 && error[0] < 1e-15 && nearest[0] == 1 && !isnan(error[1]) && nearest[1] == 4);
   t[6] = 4; /* a time at fault: nothing can be looked up */
-  CHECK(qtraj_velocity_jump(t, keys[0], count, knots, 2, QTRAJ_FRAME_BODY, jump[0], &bad) == QTRAJ_E_TIME_ORDER);
+  CHECK(qtraj_estimate_jumps(QTRAJ_FRAME_BODY, t, keys[0], count, knots, 2, jump[0], &bad) == QTRAJ_E_TIME_ORDER);
   CHECK(bad == 6 && isnan(jump[0][0]) && isnan(jump[1][0]));
   CHECK(qtraj_keyframe_errors(knots, keys[1], 2, t, keys[0], count, error, NULL, &bad) == QTRAJ_E_TIME_ORDER);
   CHECK(bad == 2 + 6 && isnan(error[0]) && isnan(error[1]));
   { /* half a turn apart */
     const double half[2][4] = {{1, 0, 0, 0}, {0, 0, 2, 0}};
-    CHECK(qtraj_estimate_omega(times, half[0], 2, QTRAJ_FRAME_WORLD, NULL, omega[0], &bad) == QTRAJ_E_AMBIGUOUS);
+    CHECK(qtraj_estimate_omega(QTRAJ_FRAME_WORLD, times, half[0], 2, NULL, omega[0], &bad) == QTRAJ_E_AMBIGUOUS);
     CHECK(bad == 1 && fabs(omega[0][1] - 4 * atan(1.0)) < 1e-14);
   }
 }

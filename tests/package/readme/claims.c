@@ -37,11 +37,11 @@ qtraj_options* options_of(int32_t method) {
 
 qtraj_status create(const qtraj_options* options, size_t n, const double* t, double (*q)[4], qtraj_trajectory** out,
                     size_t* bad) {
-  qtraj_status status = qtraj_create_with(options, t, q[0], n, out, bad);
+  qtraj_status status = qtraj_create_with_options(options, t, q[0], n, out, bad);
   if (status == QTRAJ_E_OPTION)
-    status = qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, n, out, bad);
+    status = qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega_body[0], NULL, n, out, bad);
   if (status == QTRAJ_E_OPTION)
-    status = qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega_body[0], alpha_body[0], n, out, bad);
+    status = qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega_body[0], alpha_body[0], n, out, bad);
   return status;
 }
 
@@ -57,7 +57,7 @@ qtraj_status create_given(int32_t method, const double* t, double (*q)[4], doubl
                           size_t n, qtraj_trajectory** out, size_t* bad) {
   qtraj_options* options = options_of(method);
   const qtraj_status status =
-      qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega[0], alpha ? alpha[0] : NULL, n, out, bad);
+      qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega[0], alpha ? alpha[0] : NULL, n, out, bad);
   qtraj_options_destroy(options);
   return status;
 }
@@ -66,7 +66,7 @@ double length(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] 
 
 qtraj_status try_with(const qtraj_options* options, size_t n, const double* t, double (*q)[4], size_t* bad) {
   qtraj_trajectory* built;
-  const qtraj_status status = qtraj_create_with(options, t, q[0], n, &built, bad);
+  const qtraj_status status = qtraj_create_with_options(options, t, q[0], n, &built, bad);
   CHECK((built == NULL) == (status != QTRAJ_OK));
   qtraj_destroy(built);
   return status;

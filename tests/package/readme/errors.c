@@ -48,7 +48,7 @@ static void check_limits(void) {
     const double soon[3] = {0, 1e-12, 1};
     double omega[3][3] = {{0, 0, 1e160}}, energy;
     CHECK(!create_given(QTRAJ_HERMITE, soon, q, omega, NULL, 3, &curve, NULL));
-    CHECK(qtraj_energy(curve, &energy) == QTRAJ_E_NOT_FINITE);
+    CHECK(qtraj_curve_energy(curve, &energy) == QTRAJ_E_NOT_FINITE);
     qtraj_destroy(curve);
   }
 }

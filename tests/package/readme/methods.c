@@ -9,8 +9,8 @@ static void jumps(int32_t method, double* omega, double* alpha) {
   double omega_jump[count][3], alpha_jump[count][3], omega_peak, alpha_peak;
   qtraj_trajectory* curve = build(method, count, times, keys);
   int i;
-  CHECK(!qtraj_knot_jumps(curve, QTRAJ_FRAME_WORLD, omega_jump[0], alpha_jump[0]));
-  CHECK(!qtraj_peak_rates(curve, &omega_peak, NULL, &alpha_peak, NULL));
+  CHECK(!qtraj_curve_jumps(curve, QTRAJ_FRAME_WORLD, omega_jump[0], alpha_jump[0]));
+  CHECK(!qtraj_curve_peak_rates(curve, &omega_peak, NULL, &alpha_peak, NULL));
   *omega = *alpha = 0;
   for (i = 0; i < count; ++i) {
     *omega = fmax(*omega, length(omega_jump[i]) / omega_peak);
@@ -57,7 +57,7 @@ static void check_curves(void) {
   turn(1.0, 3, -1, 1, reference);
   options = options_of(QTRAJ_LOG_SPLINE);
   CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_GIVEN, reference) == QTRAJ_OK);
-  CHECK(qtraj_create_with(options, times, keys[0], 2, &a, NULL) == QTRAJ_OK);
+  CHECK(qtraj_create_with_options(options, times, keys[0], 2, &a, NULL) == QTRAJ_OK);
   CHECK(difference(a, build(QTRAJ_SLERP, 2, times, keys)) > 1e-6);
   qtraj_options_destroy(options);
 }
@@ -144,22 +144,22 @@ static void check_norms(void) {
   int method;
   for (method = QTRAJ_SQUAD; method < QTRAJ_QUATERNION_QUINTIC; ++method) {
     curve = build(method, count, times, keys);
-    CHECK(!qtraj_least_norm(curve, &norm, NULL) && (method == QTRAJ_NLERP ? norm < 1 : norm == 1));
+    CHECK(!qtraj_curve_least_norm(curve, &norm, NULL) && (method == QTRAJ_NLERP ? norm < 1 : norm == 1));
     qtraj_destroy(curve);
   }
   curve = build(QTRAJ_NLERP, 2, times, half);
-  CHECK(!qtraj_least_norm(curve, &norm, &time) && fabs(norm - sqrt(0.5)) < 1e-12);
+  CHECK(!qtraj_curve_least_norm(curve, &norm, &time) && fabs(norm - sqrt(0.5)) < 1e-12);
   qtraj_destroy(curve);
 
   curve = quintic(half_turn, 0, 0);
-  CHECK(!qtraj_least_norm(curve, &norm, &time) && fabs(norm - sqrt(0.5)) < 1e-12 && fabs(time - 1) < 1e-6);
+  CHECK(!qtraj_curve_least_norm(curve, &norm, &time) && fabs(norm - sqrt(0.5)) < 1e-12 && fabs(time - 1) < 1e-6);
   qtraj_destroy(curve);
   curve = quintic(0, 4.2, 3.7);
-  CHECK(!qtraj_least_norm(curve, &norm, NULL) && norm < 0.1);
+  CHECK(!qtraj_curve_least_norm(curve, &norm, NULL) && norm < 0.1);
   qtraj_destroy(curve);
 
   curve = quintic(0, 4, 4); /* through 0 in the middle */
-  CHECK(!qtraj_least_norm(curve, &norm, &time) && norm == 0 && time == 1);
+  CHECK(!qtraj_curve_least_norm(curve, &norm, &time) && norm == 0 && time == 1);
   CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, 1, NULL, q, omega, alpha));
   CHECK(q[0] == 1 && q[1] == 0 && q[2] == 0 && q[3] == 0 && length(omega) == 0 && length(alpha) == 0);
   qtraj_destroy(curve);

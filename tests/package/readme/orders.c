@@ -65,9 +65,9 @@ static void errors(const qtraj_options* options, int given, int n, int inside, d
     motion_alpha(t[i], exact);
     for (k = 0; k < 3; ++k) alpha[i][k] = (double)exact[k];
   }
-  if (given ? qtraj_create_with_rates(options, t, q[0], QTRAJ_FRAME_BODY, omega[0], given == 2 ? alpha[0] : NULL,
+  if (given ? qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega[0], given == 2 ? alpha[0] : NULL,
                                       (size_t)n, &curve, NULL)
-            : qtraj_create_with(options, t, q[0], (size_t)n, &curve, NULL))
+            : qtraj_create_with_options(options, t, q[0], (size_t)n, &curve, NULL))
     exit(1);
   largest[0] = largest[1] = largest[2] = 0;
   for (i = 0; i <= 2000; ++i) {

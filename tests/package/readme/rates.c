@@ -79,7 +79,7 @@ static void check_sides(void) {
   qtraj_trajectory* curve = build(QTRAJ_SLERP, count, times, keys);
   double at[3], middle[3], jump[count][3], last[3] = {0};
   int i, k;
-  CHECK(!qtraj_knot_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL));
+  CHECK(!qtraj_curve_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL));
   for (i = 0; i < count; ++i) {
     const int segment = i + 1 < count ? i : count - 2;
     CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, times[i], NULL, NULL, at, NULL));
@@ -122,7 +122,7 @@ static void check_outside(void) {
     CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_WORLD, 2.5 + 7 * 3, NULL, NULL, omega, NULL));
     CHECK(apart(omega, end) < 1e-12);
     if (method == QTRAJ_SLERP) { /* the jump from end to start */
-      CHECK(!qtraj_knot_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL) && length(jump[0]) > 0.01);
+      CHECK(!qtraj_curve_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL) && length(jump[0]) > 0.01);
       CHECK(apart(jump[0], jump[count - 1]) == 0);
     }
     qtraj_destroy(curve);
@@ -165,8 +165,8 @@ static void check_diagnostics(void) {
   turn(0, 1, 2, 3, two[0]);
   turn(a, 1, 2, 3, two[1]);
   CHECK(!create_given(QTRAJ_ROTATION_QUINTIC, duration, two, still, still, 2, &curve, NULL));
-  CHECK(!qtraj_peak_rates(curve, &omega, &omega_time, &alpha, &alpha_time));
-  CHECK(!qtraj_energy(curve, &energy) && !qtraj_total_angle(curve, &angle));
+  CHECK(!qtraj_curve_peak_rates(curve, &omega, &omega_time, &alpha, &alpha_time));
+  CHECK(!qtraj_curve_energy(curve, &energy) && !qtraj_curve_total_angle(curve, &angle));
   CHECK(fabs(omega / (15.0 / 8 * a / T) - 1) < 1e-9 && fabs(omega_time - 2) < 1e-6);
   CHECK(fabs(alpha / (10 / sqrt(3) * a / (T * T)) - 1) < 1e-9);
   CHECK(fabs(fabs(alpha_time - 2) - T / sqrt(12)) < 1e-6);
@@ -179,8 +179,8 @@ static void check_diagnostics(void) {
     step = 2 * acos(dot);
     sum += step;
   }
-  CHECK(!qtraj_energy(curve, &energy) && energy < 1e-20);
-  CHECK(!qtraj_total_angle(curve, &angle) && fabs(angle / sum - 1) < 1e-9);
+  CHECK(!qtraj_curve_energy(curve, &energy) && energy < 1e-20);
+  CHECK(!qtraj_curve_total_angle(curve, &angle) && fabs(angle / sum - 1) < 1e-9);
   qtraj_destroy(curve);
 }
 
@@ -196,8 +196,9 @@ static void check_small_norm(double least) {
   turn(0, 0, 0, 1, q[1]);
   omega[0][2] = omega[1][2] = x / h;
   CHECK(!create_given(QTRAJ_QUATERNION_QUINTIC, t, q, omega, alpha, 2, &curve, NULL));
-  CHECK(!qtraj_least_norm(curve, &norm, &norm_time) && fabs(norm / least - 1) < 1e-6 && fabs(norm_time - 1) < 1e-6);
-  CHECK(!qtraj_peak_rates(curve, &peak, &peak_time, NULL, NULL) && fabs(peak_time - 1) < 1e-6);
+  CHECK(!qtraj_curve_least_norm(curve, &norm, &norm_time) && fabs(norm / least - 1) < 1e-6 &&
+        fabs(norm_time - 1) < 1e-6);
+  CHECK(!qtraj_curve_peak_rates(curve, &peak, &peak_time, NULL, NULL) && fabs(peak_time - 1) < 1e-6);
   for (i = -500; i <= 500; ++i) {
     const double time = 1 + i * 0.01 * least;
     const long double u = time / 2, v = u * (1 - u), dv = 1 - 2 * u;

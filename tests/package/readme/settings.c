@@ -83,28 +83,28 @@ static void check_given_rates(void) {
   CHECK(qtraj_options_set_ends(options, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT) == QTRAJ_OK);
   CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN) == QTRAJ_OK);
   CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_OPTION); /* the rates are missing */
-  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, NULL));
-  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_WORLD, omega_world[0], NULL, count, &b, NULL));
+  CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, NULL));
+  CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_WORLD, times, keys[0], omega_world[0], NULL, count, &b, NULL));
   CHECK(distance(a, b) < 1e-14);
   qtraj_destroy(b);
 
   /* END_DEFAULT takes the end's rate from the keys, as GIVEN with that rate does; CHORD stays CHORD */
   CHECK(!qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_GIVEN));
   CHECK(!qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, omega_body[0], omega_body[count - 1]));
-  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &b, NULL));
+  CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &b, NULL));
   CHECK(distance(a, b) == 0);
   qtraj_destroy(b);
   CHECK(!qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_CHORD));
-  CHECK(!qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &b, NULL));
+  CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &b, NULL));
   CHECK(difference(a, b) > 1e-3);
 
   /* too fast: |h omega/2 - L| at key 3 just below and just above 2 pi; there h = 1.5 before it, L is small */
   omega_body[3][0] = -8.5;
-  CHECK(qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, &bad) ==
+  CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, &bad) ==
         QTRAJ_E_OPTION);
   CHECK(a == NULL && bad == 3);
   omega_body[3][0] = -7.0;
-  CHECK(qtraj_create_with_rates(options, times, keys[0], QTRAJ_FRAME_BODY, omega_body[0], NULL, count, &a, &bad) ==
+  CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, &bad) ==
         QTRAJ_OK);
   qtraj_destroy(a);
   qtraj_options_destroy(options);
@@ -148,8 +148,8 @@ static void check_closed_given(void) {
   CHECK(!qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN));
   CHECK(!qtraj_options_set_ends(options, QTRAJ_END_PERIODIC, QTRAJ_END_PERIODIC));
   CHECK(
-      !qtraj_create_with_rates(options, times, closed_keys[0], QTRAJ_FRAME_BODY, omega[0], NULL, count, &curve, NULL));
-  CHECK(!qtraj_knot_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL) && length(jump[0]) < 1e-14);
+      !qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, closed_keys[0], omega[0], NULL, count, &curve, NULL));
+  CHECK(!qtraj_curve_jumps(curve, QTRAJ_FRAME_BODY, jump[0], NULL) && length(jump[0]) < 1e-14);
   CHECK(!qtraj_sample_rates_at(curve, QTRAJ_FRAME_BODY, times[0], NULL, NULL, first, NULL));
   CHECK(fabs(first[0] - 0.1) < 1e-14 && fabs(first[1] - 0.2) < 1e-14 && fabs(first[2] - 0.3) < 1e-14);
   qtraj_destroy(curve);

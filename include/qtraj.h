@@ -158,26 +158,27 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
 QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
                                         qtraj_trajectory** out, size_t* bad_index);
 /* The same with options. */
-QTRAJ_API qtraj_status qtraj_create_with(const qtraj_options* options, const double* times, const double* q_wb,
-                                         size_t count, qtraj_trajectory** out, size_t* bad_index);
-QTRAJ_API qtraj_status qtraj_create_with_f32(const qtraj_options* options, const double* times, const float* q_wb,
-                                             size_t count, qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, const double* times, const double* q_wb,
+                                                 size_t count, qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const double* times,
+                                                     const float* q_wb, size_t count, qtraj_trajectory** out,
+                                                     size_t* bad_index);
 /* The same with rates at the keys: omega [count][3] rad/s; alpha [count][3] rad/s^2, for the quintics, else NULL. */
-QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, const double* times, const double* q_wb,
-                                               int32_t frame, const double* omega, const double* alpha, size_t count,
-                                               qtraj_trajectory** out, size_t* bad_index);
-QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, const double* times, const float* q_wb,
-                                                   int32_t frame, const float* omega, const float* alpha, size_t count,
-                                                   qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
+                                               const double* q_wb, const double* omega, const double* alpha,
+                                               size_t count, qtraj_trajectory** out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
+                                                   const float* q_wb, const float* omega, const float* alpha,
+                                                   size_t count, qtraj_trajectory** out, size_t* bad_index);
 /* Bytes that qtraj_init needs for count keys, working space included. */
-QTRAJ_API qtraj_status qtraj_size(const qtraj_options* options, size_t count, size_t* bytes);
+QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes);
 /* create_with_rates in caller's memory, 8-byte aligned, which outlives the handle and stays in place; omega and alpha
  * may be NULL (frame is then ignored). */
-QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
-                                  const double* q_wb, int32_t frame, const double* omega, const double* alpha,
+QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
+                                  const double* times, const double* q_wb, const double* omega, const double* alpha,
                                   size_t count, qtraj_trajectory** out, size_t* bad_index);
-QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
-                                      const float* q_wb, int32_t frame, const float* omega, const float* alpha,
+QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
+                                      const double* times, const float* q_wb, const float* omega, const float* alpha,
                                       size_t count, qtraj_trajectory** out, size_t* bad_index);
 /* Frees what create made; no-op for NULL and for init. */
 QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
@@ -242,21 +243,21 @@ QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
 QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
 /* NLERP, QUATERNION_QUINTIC: smallest norm before normalisation and its time (nullable); 1 for the others. Computed by
  * the call. */
-QTRAJ_API qtraj_status qtraj_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
+QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
 
 /* ---- Curve diagnostics: double only, computed by the call ---- */
 
 /* Right-hand minus left-hand omega and alpha at each knot, [key_count][3], each nullable; ends 0, or the wrap's jump
  * where PERIODIC. */
-QTRAJ_API qtraj_status qtraj_knot_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
-                                        double* alpha_jump);
+QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
+                                         double* alpha_jump);
 /* Largest |omega| and |alpha| and their times; each nullable. */
-QTRAJ_API qtraj_status qtraj_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
-                                        double* alpha_peak, double* alpha_time);
+QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak,
+                                              double* omega_time, double* alpha_peak, double* alpha_time);
 /* Integral of |alpha|^2 over the segments, rad^2/s^3; impulses at rate jumps are not counted. */
-QTRAJ_API qtraj_status qtraj_energy(const qtraj_trajectory* trajectory, double* energy);
+QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy);
 /* Integral of |omega|, rad. */
-QTRAJ_API qtraj_status qtraj_total_angle(const qtraj_trajectory* trajectory, double* angle);
+QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle);
 
 /* ---- Pairs: inputs of any norm but 0; any real fraction ---- */
 
@@ -356,12 +357,12 @@ QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, dou
 /* Unit quaternion, w >= 0, of the matrix. */
 QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index);
 /* q', q'' [count][4] of q / |q| from omega, alpha [count][3] in frame; alpha and ddq_out NULL together. */
-QTRAJ_API qtraj_status qtraj_derivatives_from_rates(const double* q_wb, int32_t frame, const double* omega,
+QTRAJ_API qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega,
                                                     const double* alpha, size_t count, double* dq_out, double* ddq_out,
                                                     size_t* bad_index);
 /* omega, alpha of the curve q / |q| from q and its own derivatives q', q'': what changes its norm is ignored; ddq and
  * alpha_out NULL together. */
-QTRAJ_API qtraj_status qtraj_rates_from_derivatives(const double* q_wb, int32_t frame, const double* dq,
+QTRAJ_API qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, const double* dq,
                                                     const double* ddq, size_t count, double* omega_out,
                                                     double* alpha_out, size_t* bad_index);
 
@@ -385,15 +386,16 @@ QTRAJ_API qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weigh
 /* ---- Sample diagnostics: samples of any origin, neighbours sign-folded ---- */
 
 /* Mean rates between neighbours: t_mid_out [count-1] (nullable), omega_out [count-1][3]; count >= 2. */
-QTRAJ_API qtraj_status qtraj_estimate_omega(const double* times, const double* q_wb, size_t count, int32_t frame,
+QTRAJ_API qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const double* q_wb, size_t count,
                                             double* t_mid_out, double* omega_out, size_t* bad_index);
 /* Sum of |w_{k+1} - w_k|^2 / (m_{k+1} - m_k) over the estimated rates w at mid-times m, rad^2/s^3; count >= 3. */
-QTRAJ_API qtraj_status qtraj_smoothness_energy(const double* times, const double* q_wb, size_t count, int32_t frame,
-                                               double* energy, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const double* q_wb, size_t count,
+                                             double* energy, size_t* bad_index);
 /* At each knot: estimated rate of the first sample interval that begins at or after it minus that of the last one that
  * ends at or before it; where one is missing, NaN and TIME_RANGE. bad_index counts samples, then knots. */
-QTRAJ_API qtraj_status qtraj_velocity_jump(const double* times, const double* q_wb, size_t count, const double* knots,
-                                           size_t knot_count, int32_t frame, double* jump_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const double* q_wb, size_t count,
+                                            const double* knots, size_t knot_count, double* jump_out,
+                                            size_t* bad_index);
 /* Rotation angle, rad, of each key to the sample nearest in time (a tie: the earlier), and its index (nullable); sample
  * times increase. bad_index counts keys, then samples. error_out may not be the array of sample times. */
 QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q, size_t key_count,
