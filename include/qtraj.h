@@ -1,39 +1,61 @@
-/* qtraj: smooth orientation trajectories through quaternion keyframes.
+/** @file qtraj.h
+ * Smooth orientation trajectories through quaternion keyframes.
  *
- * _f32 twins exist for what moves keyframes and samples in bulk: construction, sampling, slerp and nlerp, keys, rotate,
- * means. They read and write float; times, settings and scalar results stay double; sums are taken in double.
+ * Twins whose names end in _f32 exist for what moves keyframes and samples in bulk: construction, sampling, slerp and
+ * nlerp, keys, rotate, means. They read and write float; times, settings and scalar results stay double; sums are taken
+ * in double.
  *
- * Conventions
- *   Hamilton product, right-handed, q = w x y z; q_wb takes body vectors to world; q and -q are one orientation.
- *   Radians, seconds. Arrays are contiguous: [count][4] q, [count][3] vectors, [count][9] row-major matrices.
- * Results
- *   The status is the contract. Argument errors (NULL, COUNT, SIZE, OPTION, BUFFER, OVERLAP) leave all data outputs
- *   untouched. Array functions process every row: a row at fault becomes NaN, the others are right, the status is
- *   that of the first row at fault. Under AMBIGUOUS the row holds one valid answer, chosen by the documented rule.
- *   bad_index may be NULL. It is written by every call: index of the first element at fault, else SIZE_MAX.
- *   Constructors write NULL to *out on every error.
- * Counts
- *   count 0 is OK with NULL arrays, except where a minimum is stated (keys 2, means 1, differences 2): then COUNT.
- *   An input with a count of its own has `count` rows, or 1 row that serves all.
- * Memory
- *   The caller owns every array. Inputs are copied or only read during the call; nothing is borrowed. An output may be
- *   the same array as an input of the same type and row length; any other overlap is OVERLAP.
- * Threads
+ * @par Conventions
+ *   Hamilton product, right-handed, q = w x y z; q_wb takes body vectors to world, v_world = q v_body q^-1; q and -q
+ *   are one orientation. omega_world = 2 q' q^-1, omega_body = 2 q^-1 q'; alpha is the derivative of omega in the same
+ *   frame. Radians, seconds. Arrays are contiguous: [count][4] q, [count][3] vectors, [count][9] row-major matrices.
+ * @par Results
+ *   The status is the contract. Argument errors (NULL, COUNT, SIZE, OPTION, BUFFER, OVERLAP) are judged first, in this
+ *   order, and NO_MEMORY after them: data outputs are untouched, "nothing is written". Array functions process every
+ *   row: a row at fault becomes NaN, the others are right, the status is that of the first row at fault. At one row
+ *   NOT_FINITE comes first, then ZERO_NORM, then the others. Under AMBIGUOUS the row holds one valid answer, chosen by
+ *   the documented rule.
+ * @par bad_index
+ *   Receives the index of the first element at fault, else SIZE_MAX; it may be NULL. Every call that has it writes it,
+ *   under argument errors too.
+ * @par Constructors
+ *   They write NULL to *out on every error, AMBIGUOUS included, and leak nothing.
+ * @par Counts
+ *   count 0 is OK with NULL arrays, except where a minimum is stated (2 keys, 1 sample of a mean, 2 of a difference):
+ *   then COUNT. An input with a count of its own has count rows, or 1 row that serves all.
+ * @par Memory
+ *   The caller owns every array. Inputs are copied or only read during the call; nothing is borrowed. Pointers must not
+ *   be NULL where the comment of the function does not allow it. An output may be the same array as an input of the
+ *   same type, row length and number of rows ("in place"); any other overlap is OVERLAP.
+ * @par Threads
  *   No global state. A trajectory is immutable: any number of threads may sample it. Options belong to one thread at a
  *   time. Rounding mode, FP traps, errno and locale are never changed; only FE_INEXACT and FE_UNDERFLOW can be raised.
- * Enumerators are passed as int32_t. Values never change meaning; new ones are appended. */
+ * @par Constants
+ *   Enumerators are passed as int32_t. Values never change meaning; new ones are appended.
+ * @par Topics
+ *   @ref qtraj-constants, @ref qtraj-library, @ref qtraj-options, @ref qtraj-construction, @ref qtraj-sampling,
+ *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-pairs, @ref qtraj-keys, @ref qtraj-algebra,
+ *   @ref qtraj-means, @ref qtraj-sample-diagnostics, @ref qtraj-spline */
 #ifndef QTRAJ_H
 #define QTRAJ_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+/** Major version of this header. */
 #define QTRAJ_VERSION_MAJOR 0
+/** Minor version of this header. */
 #define QTRAJ_VERSION_MINOR 1
+/** Patch version of this header. */
 #define QTRAJ_VERSION_PATCH 0
+/** Version of this header as text; qtraj_version() tells that of the library. */
 #define QTRAJ_VERSION_STRING "0.1.0"
+/** Version of this header as a number that can be compared; qtraj_version_number() tells that of the library. */
 #define QTRAJ_VERSION_NUMBER (QTRAJ_VERSION_MAJOR * 1000000 + QTRAJ_VERSION_MINOR * 1000 + QTRAJ_VERSION_PATCH)
 
+/** @def QTRAJ_API
+ * Marks the functions of the library. On Windows define QTRAJ_STATIC before the header where the static one is linked.
+ */
 #if defined(_WIN32) && defined(QTRAJ_BUILDING_SHARED)
 #define QTRAJ_API __declspec(dllexport)
 #elif defined(_WIN32) && !defined(QTRAJ_STATIC)
@@ -50,369 +72,1586 @@ extern "C" {
 
 /* ---- Constants ---- */
 
+/** @defgroup qtraj-constants Constants and types
+ * Statuses, methods and settings, and the two handles.
+ * @{ */
+
+/** How a call ended: what it means, and what to do. qtraj_status_text() gives one line of it. */
 typedef enum qtraj_status {
+  /** Done. */
   QTRAJ_OK = 0,
-  QTRAJ_E_NULL = 1,             /* a required pointer is NULL */
-  QTRAJ_E_COUNT = 2,            /* too few elements, or counts that do not belong together */
-  QTRAJ_E_SIZE = 3,             /* an array would be larger than PTRDIFF_MAX bytes */
-  QTRAJ_E_OPTION = 4,           /* unknown constant, option the method does not have, or rates it needs are missing */
-  QTRAJ_E_BUFFER = 5,           /* caller's memory too small or not aligned to 8 bytes */
-  QTRAJ_E_OVERLAP = 6,          /* output overlaps another array where that is not allowed */
-  QTRAJ_E_NO_MEMORY = 7,        /* allocation failed */
-  QTRAJ_E_NOT_FINITE = 8,       /* NaN or infinity in the input, or a result that overflows */
-  QTRAJ_E_ZERO_NORM = 9,        /* quaternion of norm 0; weights that are all 0 */
-  QTRAJ_E_TIME_ORDER = 10,      /* times not strictly increasing, or a step too small to divide by */
-  QTRAJ_E_TIME_RANGE = 11,      /* time outside the knots under EXTRAPOLATE_ERROR; span of the knots overflows */
-  QTRAJ_E_NEGATIVE_WEIGHT = 12, /* weight below 0 */
-  QTRAJ_E_NOT_CLOSED = 13,     /* PERIODIC, but first and last key differ by more than 1e-6 rad (or wind, LOG_SPLINE) */
-  QTRAJ_E_NOT_ROTATION = 14,   /* matrix more than 1e-3 away from a rotation, or with a negative determinant */
-  QTRAJ_E_AMBIGUOUS = 15,      /* more than one answer is equally right */
-  QTRAJ_E_NO_CONVERGENCE = 16, /* iteration limit reached */
-  QTRAJ_E_INTERNAL = 17,       /* a defect of the library: please report */
-  QTRAJ_STATUS_INT32 = -0x7fffffff - 1 /* never returned: keeps the type a signed 32-bit integer */
+  /** A pointer that must be there is NULL: pass it, or a count of 0 where there is nothing to pass. */
+  QTRAJ_E_NULL = 1,
+  /** Fewer elements than the function takes (2 keys, 1 sample of a mean), or counts that do not belong together: an
+   * input's own count is 1 or count. */
+  QTRAJ_E_COUNT = 2,
+  /** An array would be larger than PTRDIFF_MAX bytes: look for a count that was negative, or never set. */
+  QTRAJ_E_SIZE = 3,
+  /** An unknown constant; a setting or rates that the method does not have, or rates that it needs and did not get;
+   * SQUAD: a given rate too fast for its interval; a tolerance or a limit that is none: compare the arguments with the
+   * comments of the function and of its constants. */
+  QTRAJ_E_OPTION = 4,
+  /** Memory of the caller too small, or not aligned to 8 bytes: QTRAJ_OPTIONS_BYTES and qtraj_init_size() tell how much
+   * is needed. */
+  QTRAJ_E_BUFFER = 5,
+  /** An output overlaps another array where that is not allowed: give it an array of its own. */
+  QTRAJ_E_OVERLAP = 6,
+  /** Allocation failed: free some, or build in memory of your own with qtraj_options_init() and qtraj_init(). */
+  QTRAJ_E_NO_MEMORY = 7,
+  /** NaN or infinity in the input, or a result that overflows: mend or leave out the element at bad_index. */
+  QTRAJ_E_NOT_FINITE = 8,
+  /** A quaternion of norm 0; weights that are all 0 (without an index); an nlerp through 0: leave the element out. */
+  QTRAJ_E_ZERO_NORM = 9,
+  /** Times that do not increase, or by less than about 7.5e-155 s, with the index of the later one: sort them and leave
+   * repeated ones out. */
+  QTRAJ_E_TIME_ORDER = 10,
+  /** A time outside the knots under QTRAJ_EXTRAPOLATE_ERROR, a query outside a spline, a knot without samples on both
+   * sides: stay inside, or choose an extrapolation. Of knots: their span overflows. */
+  QTRAJ_E_TIME_RANGE = 11,
+  /** A weight below 0: make it 0 or more. */
+  QTRAJ_E_NEGATIVE_WEIGHT = 12,
+  /** PERIODIC, but first and last key differ by more than 1e-6 rad (cubic_spline: y by 1e-6 of the largest), or the
+   * keys of a LOG_SPLINE have wound round: append the first key, or choose other ends or another method. */
+  QTRAJ_E_NOT_CLOSED = 13,
+  /** A matrix more than 1e-3 away from every rotation, or with a negative determinant: look for a scale or a reflection
+   * in it. */
+  QTRAJ_E_NOT_ROTATION = 14,
+  /** More than one answer is equally right: an axis, a way round, a mean. Arrays hold one of them, by the rule that the
+   * function states; a constructor leaves no trajectory. */
+  QTRAJ_E_AMBIGUOUS = 15,
+  /** ROTATION_SPLINE found no curve: use another method. A Karcher mean reached max_iterations: raise them. An integral
+   * or a peak takes too many pieces: look at qtraj_curve_least_norm(). */
+  QTRAJ_E_NO_CONVERGENCE = 16,
+  /** A defect of the library: please report it. */
+  QTRAJ_E_INTERNAL = 17,
+  /** Never returned: keeps the type a signed 32-bit integer. */
+  QTRAJ_STATUS_INT32 = -0x7fffffff - 1
 } qtraj_status;
 
-/* 0 is no method, no frame: a forgotten argument is QTRAJ_E_OPTION. */
+/** Methods: how the curve goes from key to key. C0: its rate jumps at keys; C1: the rate is continuous; C2: so is the
+ * acceleration. 0 is no method and no frame: a forgotten argument is QTRAJ_E_OPTION. */
 enum qtraj_method_value {
-  QTRAJ_SLERP = 1,             /* C0, constant rate in each segment */
-  QTRAJ_NLERP = 2,             /* C0, normalised linear */
-  QTRAJ_SQUAD = 3,             /* C1 */
-  QTRAJ_LOG_SPLINE = 4,        /* C2, cubic in one chart */
-  QTRAJ_ROTATION_SPLINE = 5,   /* C2, no chart */
-  QTRAJ_HERMITE = 6,           /* C1, rates at the keys given */
-  QTRAJ_ROTATION_QUINTIC = 7,  /* C2, rates and accelerations at the keys given */
-  QTRAJ_QUATERNION_QUINTIC = 8 /* C2, the same in R^4, normalised */
+  /** C0: the shortest turn between two keys, at constant rate; dense recordings, keys that must not be overshot. */
+  QTRAJ_SLERP = 1,
+  /** C0: the same turn by normalised linear interpolation, at a slightly uneven rate. */
+  QTRAJ_NLERP = 2,
+  /** C1, on unevenly spaced keys too: two nested slerps; a key moves only what is near it. */
+  QTRAJ_SQUAD = 3,
+  /** C2: cubic spline in one chart, the rotation vector from a reference orientation; for motion about one attitude. */
+  QTRAJ_LOG_SPLINE = 4,
+  /** C2: cubic rotation vectors from key to key, no chart; what is differentiated; the first to try. */
+  QTRAJ_ROTATION_SPLINE = 5,
+  /** C1: cubic rotation vectors, the rates at the keys given. */
+  QTRAJ_HERMITE = 6,
+  /** C2: quintic rotation vectors, rates and accelerations at the keys given. */
+  QTRAJ_ROTATION_QUINTIC = 7,
+  /** C2: the same in R^4, normalised; for steps well below half a turn, see qtraj_curve_least_norm(). */
+  QTRAJ_QUATERNION_QUINTIC = 8
 };
-enum qtraj_frame_value { QTRAJ_FRAME_BODY = 1, QTRAJ_FRAME_WORLD = 2 };
+/** Frame that angular velocities and accelerations are given in. */
+enum qtraj_frame_value {
+  QTRAJ_FRAME_BODY = 1, /**< omega_body = 2 q^-1 q' */
+  QTRAJ_FRAME_WORLD = 2 /**< omega_world = 2 q' q^-1, the body vector turned by q */
+};
+/** End conditions: what determines the curve at its first and at its last key, of the methods that are named.
+ * qtraj_cubic_spline() has NATURAL, NOT_A_KNOT and PERIODIC. */
 enum qtraj_end_value {
-  QTRAJ_END_DEFAULT = 0,    /* SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
-  QTRAJ_END_CHORD = 1,      /* rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_NATURAL = 2,    /* second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
-  QTRAJ_END_NOT_A_KNOT = 3, /* LOG_SPLINE */
-  QTRAJ_END_ESTIMATED = 4,  /* Lagrange derivative through the end keys: SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_GIVEN = 5,      /* qtraj_options_set_end_rates */
-  QTRAJ_END_PERIODIC = 6    /* both ends or none */
+  QTRAJ_END_DEFAULT = 0,    /**< SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
+  QTRAJ_END_CHORD = 1,      /**< rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_NATURAL = 2,    /**< second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
+  QTRAJ_END_NOT_A_KNOT = 3, /**< the last two segments are one cubic: LOG_SPLINE */
+  QTRAJ_END_ESTIMATED = 4,  /**< rate of a polynomial through the end keys: SQUAD (3 keys), ROTATION_SPLINE (4) */
+  QTRAJ_END_GIVEN = 5,      /**< rate from qtraj_options_set_end_rates(): SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_PERIODIC = 6    /**< goes on at the other end, both ends or none: SQUAD, LOG_SPLINE, ROTATION_SPLINE */
 };
+/** SQUAD: the rate of the curve at a key. */
 enum qtraj_tangent_value {
-  QTRAJ_TANGENT_DEFAULT = 0, /* CATMULL_ROM */
-  QTRAJ_TANGENT_CATMULL_ROM = 1,
-  QTRAJ_TANGENT_MEAN_VELOCITY = 2,
-  QTRAJ_TANGENT_GIVEN = 3 /* omega of qtraj_create_with_rates */
+  QTRAJ_TANGENT_DEFAULT = 0,       /**< CATMULL_ROM */
+  QTRAJ_TANGENT_CATMULL_ROM = 1,   /**< mean of the slerp rates before and after, the shorter interval counting more */
+  QTRAJ_TANGENT_MEAN_VELOCITY = 2, /**< plain mean of the two */
+  QTRAJ_TANGENT_GIVEN = 3          /**< omega of qtraj_create_with_rates() or qtraj_init() */
 };
+/** LOG_SPLINE: the orientation that rotation vectors start from. The curve is singular one full turn away from it. */
 enum qtraj_reference_value {
-  QTRAJ_REFERENCE_DEFAULT = 0, /* FIRST */
-  QTRAJ_REFERENCE_FIRST = 1,
-  QTRAJ_REFERENCE_MEAN = 2, /* unweighted eigen mean of the keys */
-  QTRAJ_REFERENCE_GIVEN = 3
+  QTRAJ_REFERENCE_DEFAULT = 0, /**< FIRST */
+  QTRAJ_REFERENCE_FIRST = 1,   /**< the first key */
+  QTRAJ_REFERENCE_MEAN = 2,    /**< unweighted eigen mean of the keys */
+  QTRAJ_REFERENCE_GIVEN = 3    /**< q_wb of qtraj_options_set_reference() */
 };
+/** What a time before the first or after the last knot means. */
 enum qtraj_extrapolate_value {
-  QTRAJ_EXTRAPOLATE_ERROR = 0,         /* NaN row, QTRAJ_E_TIME_RANGE */
-  QTRAJ_EXTRAPOLATE_HOLD = 1,          /* end key, zero rates */
-  QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 2, /* geodesic with the end rate, zero acceleration */
-  QTRAJ_EXTRAPOLATE_PERIODIC = 3       /* time wrapped; both sides or none */
+  QTRAJ_EXTRAPOLATE_ERROR = 0,         /**< NaN row, QTRAJ_E_TIME_RANGE; the default */
+  QTRAJ_EXTRAPOLATE_HOLD = 1,          /**< end key, zero rates */
+  QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 2, /**< geodesic with the end rate, zero acceleration */
+  QTRAJ_EXTRAPOLATE_PERIODIC = 3       /**< time wrapped into the knots; both sides or none; the keys must close */
 };
-enum qtraj_path_value { QTRAJ_PATH_SHORTEST = 1, QTRAJ_PATH_AS_GIVEN = 2 };
+/** Which of the two ways round from a to b an interpolation takes. */
+enum qtraj_path_value {
+  QTRAJ_PATH_SHORTEST = 1, /**< to b or -b, whichever is nearer; half a turn apart, to 4 eps, to b */
+  QTRAJ_PATH_AS_GIVEN = 2  /**< to b, also where that is the longer way round */
+};
 
-/* Room for an options object in the caller's memory; holds for every library of the same SONAME. */
+/** Room for an options object in the caller's memory, bytes; holds for every library of the same SONAME. */
 #define QTRAJ_OPTIONS_BYTES 512
 
-typedef struct qtraj_trajectory qtraj_trajectory; /* immutable once built */
-typedef struct qtraj_options qtraj_options;       /* method and its settings, reusable */
+/** A curve through keyframes, one block of memory, immutable once built: any number of threads may sample it at once.
+ * Made by qtraj_create() and its kin or qtraj_init(), given back with qtraj_destroy(). */
+typedef struct qtraj_trajectory qtraj_trajectory;
+/** A method and its settings, reusable for any number of trajectories, which keep nothing of it. Made by
+ * qtraj_options_create() or qtraj_options_init(), given back with qtraj_options_destroy(). One thread at a time. */
+typedef struct qtraj_options qtraj_options;
+
+/** @} */
 
 /* ---- Library ---- */
 
-/* Version that was linked, "0.1.0"; borrowed: static text. */
+/** @defgroup qtraj-library Library
+ * What the library tells about itself.
+ * @{ */
+
+/** Version of the library that was linked.
+ *
+ * @return such as "0.1.0"; borrowed: static text, never freed, never NULL */
 QTRAJ_API const char* qtraj_version(void);
-/* The same as QTRAJ_VERSION_NUMBER. */
+
+/** Version of the library that was linked, as a number.
+ *
+ * @return QTRAJ_VERSION_NUMBER of the header that the library was built with */
 QTRAJ_API int32_t qtraj_version_number(void);
-/* One-line text of a status, "unknown status" for others, never NULL; borrowed: static text. */
+
+/** One-line text of a status.
+ *
+ * @param status  a qtraj_status, or any other number
+ * @return English text, "unknown status" for a number that is none; borrowed: static text, never NULL */
 QTRAJ_API const char* qtraj_status_text(int32_t status);
-/* Kernel that runs here and its arithmetic, "avx2 fused", "scalar plain": which golden hash applies; static text. */
+
+/** Kernel that runs here and its arithmetic: which golden hash applies.
+ *
+ * Samples have the same bits wherever the arithmetic, fused or plain, is the same.
+ *
+ * @return such as "avx2 fused" or "scalar plain"; borrowed: static text, never NULL */
 QTRAJ_API const char* qtraj_target(void);
+
+/** @} */
 
 /* ---- Options: heap or caller's memory; every setter checks at once and fails without effect ---- */
 
-/* New options of a method with its defaults; owned: qtraj_options_destroy. */
+/** @defgroup qtraj-options Options
+ * A method and its settings, on the heap or in the caller's memory. Setters check at once and fail without effect.
+ * @{ */
+
+/** New options of a method with its default settings, on the heap.
+ *
+ * @param method  a qtraj_method_value
+ * @param out     receives the options, owned: free them with qtraj_options_destroy(); NULL on every error
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (out), QTRAJ_E_OPTION (unknown method), QTRAJ_E_NO_MEMORY: no options */
 QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out);
-/* The same in caller's memory of at least QTRAJ_OPTIONS_BYTES, 8-byte aligned, which outlives it; nothing allocated. */
+
+/** New options of a method with its default settings, in the caller's memory; nothing is allocated.
+ *
+ * @param memory  [bytes], aligned to 8 bytes; must outlive the options and stay in place
+ * @param bytes   QTRAJ_OPTIONS_BYTES or more
+ * @param method  a qtraj_method_value
+ * @param out     receives the options, which need no qtraj_options_destroy(); NULL on every error
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (out, memory), QTRAJ_E_OPTION (unknown method), QTRAJ_E_BUFFER (memory too small or
+ *   not aligned): no options, memory is untouched */
 QTRAJ_API qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtraj_options** out);
-/* Frees what options_create made; no-op for NULL and for options_init. */
+
+/** Frees options made by qtraj_options_create().
+ *
+ * @param options  NULL and options made by qtraj_options_init() are left alone */
 QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
-/* End condition at the first and at the last key. */
+
+/** Sets the end conditions at the first and at the last key, of SQUAD, LOG_SPLINE or ROTATION_SPLINE.
+ *
+ * A rate that is stored for an end is dropped where that end becomes other than QTRAJ_END_GIVEN.
+ *
+ * @param options  changed
+ * @param start    a qtraj_end_value that the method has, at the first key
+ * @param end      the same at the last key; QTRAJ_END_PERIODIC is for both ends or none
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an end unknown or not of this method, or
+ *   one of the two PERIODIC) */
 QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end);
-/* Rates for END_GIVEN, rad/s, copied; NULL for an end that is not GIVEN. */
+
+/** Sets the rates of the curve at the ends that are QTRAJ_END_GIVEN; call qtraj_options_set_ends() before.
+ *
+ * @param options      changed
+ * @param frame        a qtraj_frame_value, of both rates
+ * @param omega_start  [3], rad/s, at the first key, copied; NULL where that end is not QTRAJ_END_GIVEN
+ * @param omega_end    [3], rad/s, at the last key, copied; NULL where that end is not QTRAJ_END_GIVEN
+ * @return QTRAJ_OK, or without effect
+ *   - QTRAJ_E_NULL: options, or the rate of an end that is GIVEN;
+ *   - QTRAJ_E_OPTION: a rate for an end that is not, an unknown frame, a method without END_GIVEN;
+ *   - QTRAJ_E_NOT_FINITE: a rate */
 QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
                                                    const double* omega_end);
-/* SQUAD: tangent rule. */
+
+/** Sets the tangent rule of SQUAD: the rate of the curve at its keys.
+ *
+ * @param options  changed
+ * @param rule     a qtraj_tangent_value; QTRAJ_TANGENT_GIVEN makes the constructors want omega
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an unknown rule, a method without
+ *   tangents) */
 QTRAJ_API qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_t rule);
-/* LOG_SPLINE: base orientation; q_wb [4] with REFERENCE_GIVEN, else NULL; its sign is made <q, first key> >= 0. */
+
+/** Sets the reference of LOG_SPLINE: the orientation that its rotation vectors start from.
+ *
+ * @param options  changed
+ * @param rule     a qtraj_reference_value
+ * @param q_wb     [4], w x y z, body to world, any norm but 0, copied; with another rule NULL. Constructors give it the
+ *                 sign that is nearer to the first key
+ * @return QTRAJ_OK, or without effect
+ *   - QTRAJ_E_NULL: options, or q_wb with REFERENCE_GIVEN;
+ *   - QTRAJ_E_OPTION: an unknown rule, a method without reference, q_wb with another rule;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: q_wb */
 QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32_t rule, const double* q_wb);
-/* What a time before the first and after the last knot means. */
+
+/** Sets what a time before the first and after the last knot means; every method has it.
+ *
+ * @param options  changed
+ * @param before   a qtraj_extrapolate_value for times before the first knot
+ * @param after    the same for times after the last one; QTRAJ_EXTRAPOLATE_PERIODIC is for both sides or none
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an unknown rule, or one of the two
+ *   PERIODIC) */
 QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after);
+
+/** @} */
 
 /* ---- Construction: inputs are copied, normalised, made sign-continuous ---- */
 
-/* Trajectory with the method's defaults through count >= 2 keys; owned: qtraj_destroy. */
+/** @defgroup qtraj-construction Construction
+ * Keys are copied, normalised and made sign-continuous: each gets the sign that is nearer to the key before it; at
+ * equal distance it keeps its own, as the first does. Any trajectory can be sampled in double and in float.
+ * @{ */
+
+/** Builds a trajectory through keys, with the default settings of a method.
+ *
+ * @param method     a qtraj_method_value, SLERP to ROTATION_SPLINE; those after it need rates
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: an unknown method, or one that needs rates;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const double* q_wb, size_t count,
                                     qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys of float, with the default settings of a method: twin of qtraj_create().
+ *
+ * The keys are read as float, the times as double, and the curve is built in double.
+ *
+ * @param method     a qtraj_method_value, SLERP to ROTATION_SPLINE; those after it need rates
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: an unknown method, or one that needs rates;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
                                         qtraj_trajectory** out, size_t* bad_index);
-/* The same with options. */
+
+/** Builds a trajectory through keys, with settings of the caller's.
+ *
+ * @param options    method and settings, read during the call; none that need rates at all keys
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: rates are needed, at all keys or at an end where none was set; with the index of an end's key:
+ *     its rate is too fast for the interval (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where knots or end rates throw a LOG_SPLINE or a ROTATION_SPLINE out of range;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, const double* times, const double* q_wb,
                                                  size_t count, qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys of float, with settings of the caller's: twin of qtraj_create_with_options().
+ *
+ * The keys are read as float, the times as double, and the curve is built in double. A mean of keys (REFERENCE_MEAN)
+ * ties by the rounding of float.
+ *
+ * @param options    method and settings, read during the call; none that need rates at all keys
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: rates are needed, at all keys or at an end where none was set; with the index of an end's key:
+ *     its rate is too fast for the interval (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where knots or end rates throw a LOG_SPLINE or a ROTATION_SPLINE out of range;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const double* times,
                                                      const float* q_wb, size_t count, qtraj_trajectory** out,
                                                      size_t* bad_index);
-/* The same with rates at the keys: omega [count][3] rad/s; alpha [count][3] rad/s^2, for the quintics, else NULL. */
+
+/** Builds a trajectory through keys with given rates: HERMITE, the quintics, and SQUAD with QTRAJ_TANGENT_GIVEN.
+ *
+ * @param options    method and settings, read during the call
+ * @param frame      a qtraj_frame_value, of omega and alpha
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, angular velocities at the keys
+ * @param alpha      [count][3], rad/s^2, angular accelerations at the keys, for the quintics; else NULL
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: omega or alpha for a method or setting that does not use them, alpha missing, an unknown frame,
+ *     END_GIVEN without its rate; with the index of a key: its rate is too fast for an interval beside it (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where its rates are absurdly fast for an interval beside it;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
+ *     first */
 QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
                                                const double* q_wb, const double* omega, const double* alpha,
                                                size_t count, qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys with given rates, of float: twin of qtraj_create_with_rates().
+ *
+ * Keys, omega and alpha are read as float, the times as double, and the curve is built in double.
+ *
+ * @param options    method and settings, read during the call: HERMITE, a quintic, or SQUAD with QTRAJ_TANGENT_GIVEN
+ * @param frame      a qtraj_frame_value, of omega and alpha
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, angular velocities at the keys
+ * @param alpha      [count][3], rad/s^2, angular accelerations at the keys, for the quintics; else NULL
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_OPTION: omega or alpha for a method or setting that does not use them, alpha missing, an unknown frame,
+ *     END_GIVEN without its rate; with the index of a key: its rate is too fast for an interval beside it (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where its rates are absurdly fast for an interval beside it;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
+ *     first */
 QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
                                                    const float* q_wb, const float* omega, const float* alpha,
                                                    size_t count, qtraj_trajectory** out, size_t* bad_index);
-/* Bytes that qtraj_init needs for count keys, working space included. */
+
+/** Bytes that qtraj_init() and qtraj_init_f32() need, working space included.
+ *
+ * @param options  method and settings, read during the call
+ * @param count    number of keys, 2 or more
+ * @param bytes    receives the number of bytes
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE: nothing is written */
 QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes);
-/* create_with_rates in caller's memory, 8-byte aligned, which outlives the handle and stays in place; omega and alpha
- * may be NULL (frame is then ignored). */
+
+/** Builds a trajectory through keys in the caller's memory, with or without given rates; nothing is allocated.
+ *
+ * @param memory     [bytes], aligned to 8 bytes, apart from all inputs; must outlive the trajectory and stay in place
+ * @param bytes      qtraj_init_size() of the same options and count, or more
+ * @param options    method and settings, read during the call
+ * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
+ * @param alpha      [count][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (rates missing or not wanted, an unknown frame),
+ *     QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_OPTION with the index of a key: its rate is too fast for an interval beside it (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where knots or rates throw the curve out of range;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                   const double* times, const double* q_wb, const double* omega, const double* alpha,
                                   size_t count, qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys of float in the caller's memory: twin of qtraj_init().
+ *
+ * Keys, omega and alpha are read as float, the times as double, and the curve is built in double. Nothing is allocated.
+ *
+ * @param memory     [bytes], aligned to 8 bytes, apart from all inputs; must outlive the trajectory and stay in place
+ * @param bytes      qtraj_init_size() of the same options and count, or more
+ * @param options    method and settings, read during the call
+ * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
+ * @param alpha      [count][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (rates missing or not wanted, an unknown frame),
+ *     QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_OPTION with the index of a key: its rate is too fast for an interval beside it (SQUAD);
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *     also where knots or rates throw the curve out of range;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                       const double* times, const float* q_wb, const float* omega, const float* alpha,
                                       size_t count, qtraj_trajectory** out, size_t* bad_index);
-/* Frees what create made; no-op for NULL and for init. */
+
+/** Frees a trajectory on the heap.
+ *
+ * @param trajectory  NULL and trajectories made by qtraj_init() are left alone */
 QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
+
+/** @} */
 
 /* ---- Sampling: any order of times; the same time gives the same bits from every function ---- */
 
-/* Orientations q_out [count][4] at times [count]. */
+/** @defgroup qtraj-sampling Sampling
+ * Times may come in any order, and the same time gives the same bits from every function of one type. Sampling never
+ * allocates. At a knot a sample belongs to the segment that starts there, at the last knot to the last one.
+ * @{ */
+
+/** Samples orientations at many times.
+ *
+ * @param trajectory  the curve; not NULL, also where count is 0
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may not overlap times
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
+ *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                     double* q_out, size_t* bad_index);
+
+/** Samples orientations at many times in float: twin of qtraj_sample().
+ *
+ * Computes in single precision, in double where the curve needs it; the place of a time between the knots is double.
+ *
+ * @param trajectory  the curve, of double or float keys; not NULL, also where count is 0
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may not overlap times
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
+ *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                         float* q_out, size_t* bad_index);
-/* With omega_out, alpha_out [count][3], rad/s and rad/s^2 in frame; each output may be NULL, not all; right-hand values
- * at knots. */
+
+/** Samples orientations, angular velocities and angular accelerations at many times.
+ *
+ * Rates are exact derivatives of the curve. A rate that jumps at a knot has its right-hand value there, at the last
+ * knot its left-hand one.
+ *
+ * @param trajectory  the curve; not NULL, also where count is 0
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out   [count][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out   [count][3], rad/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a rate that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                           size_t count, double* q_out, double* omega_out, double* alpha_out,
                                           size_t* bad_index);
+
+/** Samples orientations, angular velocities and accelerations at many times in float: twin of qtraj_sample_rates().
+ *
+ * Computes in single precision, in double where the curve needs it; the place of a time between the knots is double.
+ * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ *
+ * @param trajectory  the curve, of double or float keys; not NULL, also where count is 0
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out   [count][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out   [count][3], rad/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a rate too large for float), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                               size_t count, float* q_out, float* omega_out, float* alpha_out,
                                               size_t* bad_index);
-/* At start + (double)i * step, rounded twice, for i < count. */
+
+/** Samples orientations at a fixed rate: at start + (double)i * step, rounded twice, for every i below count.
+ *
+ * Rounding may take the last time past the last knot: qtraj_even_times() never does.
+ *
+ * @param trajectory  the curve; not NULL, also where count is 0
+ * @param start       s, time of row 0
+ * @param step        s, from row to row; may be 0 or negative
+ * @param count       number of samples; where it is 0 q_out may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
+ *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                             double* q_out, size_t* bad_index);
+
+/** Samples orientations at a fixed rate in float, at start + (double)i * step: twin of qtraj_sample_uniform().
+ *
+ * Computes in single precision, in double where the curve needs it; times and their place between the knots are double.
+ * Rounding may take the last time past the last knot: qtraj_even_times() never does.
+ *
+ * @param trajectory  the curve, of double or float keys; not NULL, also where count is 0
+ * @param start       s, time of row 0
+ * @param step        s, from row to row; may be 0 or negative
+ * @param count       number of samples; where it is 0 q_out may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
+ *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
                                                 size_t count, float* q_out, size_t* bad_index);
-/* times_out [count] evenly from first to last, both exact and never past last (start + i * step may be): feed it to any
- * sampler. TIME_ORDER where last < first. */
+
+/** Times at even distances from first to last, both exact, none past last: for the samplers that take times.
+ *
+ * @param first      s, time of row 0
+ * @param last       s, time of the last row; first or later. Of one row first alone is given
+ * @param count      number of times; 0 is OK, then times_out may be NULL
+ * @param times_out  [count], s, never decreasing
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (first or last), QTRAJ_E_TIME_ORDER (last before first): all rows are NaN */
 QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out);
-/* One time, for control loops. cursor: any value, 0 to begin; a hint kept by the caller, never changes the result; may
- * be NULL. */
+
+/** Samples the orientation at one time, for control loops.
+ *
+ * @param trajectory  the curve
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ * @param q_out       [4], w x y z, body to world, unit
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
+
+/** Samples the orientation at one time in float, for control loops: twin of qtraj_sample_at().
+ *
+ * Computes in single precision, in double where the curve needs it; the place of time between the knots is double.
+ *
+ * @param trajectory  the curve, of double or float keys
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ * @param q_out       [4], w x y z, body to world, unit
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                                            float* q_out);
 
-/* The same with rates; each output may be NULL, not all. */
+/** Samples orientation, angular velocity and angular acceleration at one time, for control loops.
+ *
+ * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ *
+ * @param trajectory  the curve
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (time, or a rate that overflows), QTRAJ_E_TIME_RANGE (time outside the knots under
+ *     EXTRAPOLATE_ERROR): every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time,
                                              size_t* cursor, double* q_out, double* omega_out, double* alpha_out);
+
+/** Samples orientation, angular velocity and acceleration at one time in float: twin of qtraj_sample_rates_at().
+ *
+ * Computes in single precision, in double where the curve needs it; the place of time between the knots is double. A
+ * rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ *
+ * @param trajectory  the curve, of double or float keys
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (time, or a rate too large for float), QTRAJ_E_TIME_RANGE (time outside the knots under
+ *     EXTRAPOLATE_ERROR): every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time,
                                                  size_t* cursor, float* q_out, float* omega_out, float* alpha_out);
 
+/** @} */
+
 /* ---- What a trajectory knows: plain values; 0 or NaN for a NULL handle ---- */
 
-/* Method it was built with. */
+/** @defgroup qtraj-getters What a trajectory knows
+ * What the constructor found. Functions that return plain values give 0 or NaN for a NULL handle.
+ * @{ */
+
+/** Method that a trajectory was built with.
+ *
+ * @param trajectory  may be NULL
+ * @return a qtraj_method_value; 0 for NULL */
 QTRAJ_API int32_t qtraj_method(const qtraj_trajectory* trajectory);
-/* Number of keys. */
+
+/** Number of keys.
+ *
+ * @param trajectory  may be NULL
+ * @return 2 or more; 0 for NULL */
 QTRAJ_API size_t qtraj_key_count(const qtraj_trajectory* trajectory);
-/* First knot, s. */
+
+/** First knot.
+ *
+ * @param trajectory  may be NULL
+ * @return s; NaN for NULL */
 QTRAJ_API double qtraj_start_time(const qtraj_trajectory* trajectory);
-/* Last knot, s. */
+
+/** Last knot.
+ *
+ * @param trajectory  may be NULL
+ * @return s; NaN for NULL */
 QTRAJ_API double qtraj_end_time(const qtraj_trajectory* trajectory);
-/* Number of keys whose sign was changed. */
+
+/** Number of keys whose sign the constructor changed.
+ *
+ * @param trajectory  may be NULL
+ * @return number of keys; 0 for NULL */
 QTRAJ_API size_t qtraj_sign_flips(const qtraj_trajectory* trajectory);
-/* Largest | |q| - 1 | of the keys as given. */
+
+/** How far the norms of the keys, as given, were from 1.
+ *
+ * @param trajectory  may be NULL
+ * @return the largest | |q| - 1 |; NaN for NULL */
 QTRAJ_API double qtraj_worst_norm_error(const qtraj_trajectory* trajectory);
-/* Smallest dot product of neighbouring keys, >= 0; near 0 a step is close to a half turn and its direction a matter of
- * rounding. */
+
+/** Smallest dot product of neighbouring keys, as used: the cosine of half the largest step.
+ *
+ * Near 0 a step is close to a half turn, and its direction a matter of rounding.
+ *
+ * @param trajectory  may be NULL
+ * @return 0 to 1; NaN for NULL */
 QTRAJ_API double qtraj_least_dot(const qtraj_trajectory* trajectory);
-/* Iterations the constructor took, 0 for direct methods. */
+
+/** Iterations that the constructor took.
+ *
+ * @param trajectory  may be NULL
+ * @return ROTATION_SPLINE: how often its equations were solved; 0 for all other methods and for NULL */
 QTRAJ_API int32_t qtraj_iterations(const qtraj_trajectory* trajectory);
-/* ROTATION_SPLINE: largest alpha jump left at a knot relative to the largest alpha; 0 for direct methods. */
+
+/** What rounding left of the equations of a ROTATION_SPLINE.
+ *
+ * @param trajectory  may be NULL
+ * @return the largest jump of alpha at a knot, relative to the larger of the largest |alpha| and the largest |omega|/h,
+ *   h the length of a segment; 0 for all other methods, NaN for NULL */
 QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
-/* Keys as used: times_out [key_count], q_out [key_count][4], normalised and sign-continuous; each may be NULL. */
+
+/** Copies the knots and keys as the curve uses them: normalised and sign-continuous.
+ *
+ * @param trajectory  the curve
+ * @param times_out   [key_count], s; may be NULL
+ * @param q_out       [key_count][4], w x y z, body to world, unit; may be NULL
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_OVERLAP (of the two outputs): nothing is written */
 QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
-/* NLERP, QUATERNION_QUINTIC: smallest norm before normalisation and its time (nullable); 1 for the others. Computed by
- * the call. */
+
+/** Smallest norm of an NLERP or QUATERNION_QUINTIC before it is normalised, computed by the call.
+ *
+ * Where it is small the curve is fast and strongly curved, and rates lose digits.
+ *
+ * @param trajectory  the curve
+ * @param norm        receives the norm; 1 for all other methods
+ * @param time        receives the time of it, s, for other methods that of the first knot; may be NULL
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory, norm): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
+
+/** @} */
 
 /* ---- Curve diagnostics: double only, computed by the call ---- */
 
-/* Right-hand minus left-hand omega and alpha at each knot, [key_count][3], each nullable; ends 0, or the wrap's jump
- * where PERIODIC. */
+/** @defgroup qtraj-curve-diagnostics Curve diagnostics
+ * They look at the whole curve between its knots, each segment up to its very ends, in double.
+ * @{ */
+
+/** By how much omega and alpha jump at each knot: right-hand minus left-hand value.
+ *
+ * Rows of the first and the last knot are 0, or where anything is PERIODIC the jump from the end to the start.
+ *
+ * @param trajectory  the curve
+ * @param frame       a qtraj_frame_value, of both outputs
+ * @param omega_jump  [key_count][3], rad/s; may be NULL
+ * @param alpha_jump  [key_count][3], rad/s^2; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL (trajectory), QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of the two outputs): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: a rate overflows: the rows of that knot are NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
                                          double* alpha_jump);
-/* Largest |omega| and |alpha| and their times; each nullable. */
+
+/** Greatest lengths of omega and alpha, and when they are reached; only what is asked for is computed.
+ *
+ * @param trajectory  the curve
+ * @param omega_peak  receives the largest |omega|, rad/s; may be NULL
+ * @param omega_time  receives its time, s; may be NULL
+ * @param alpha_peak  receives the largest |alpha|, rad/s^2, inside segments; may be NULL
+ * @param alpha_time  receives its time, s; may be NULL
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_NOT_FINITE (a rate overflows), QTRAJ_E_NO_CONVERGENCE (a
+ *   segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak,
                                               double* omega_time, double* alpha_peak, double* alpha_time);
-/* Integral of |alpha|^2 over the segments, rad^2/s^3; impulses at rate jumps are not counted. */
+
+/** Integral of |alpha|^2 over the segments; impulses at jumps of the rate are not counted.
+ *
+ * @param trajectory  the curve
+ * @param energy      receives the integral, rad^2/s^3
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_NOT_FINITE (rates or the integral overflow), QTRAJ_E_NO_CONVERGENCE (a
+ *   segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy);
-/* Integral of |omega|, rad. */
+
+/** Integral of |omega|: the whole way that the curve turns, not the angle between its ends.
+ *
+ * @param trajectory  the curve
+ * @param angle       receives the integral, rad
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_NOT_FINITE (rates overflow), QTRAJ_E_NO_CONVERGENCE (a segment takes more
+ *   than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle);
+
+/** @} */
 
 /* ---- Pairs: inputs of any norm but 0; any real fraction ---- */
 
-/* q_out [count][4] on the arc from a [4], fraction 0, to b [4], fraction 1. SHORTEST: to b or -b, whichever is nearer
- * (half a turn apart, to 4 eps: b). AS_GIVEN with b = -a to 1e-14 rad, also in float: AMBIGUOUS, a turn of the body
- * about its x axis. A fault of a or b is one of every row. */
+/** @defgroup qtraj-pairs Pairs
+ * Between two quaternions of any norm but 0, at any real fraction: 0 is a, 1 is b, others are between or beyond.
+ * @{ */
+
+/** Slerp of one pair at many fractions: the arc from a to b at constant rate.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a          [4], w x y z, of any norm but 0: fraction 0
+ * @param b          [4], w x y z, of any norm but 0: fraction 1
+ * @param fraction   [count], any real numbers
+ * @param count      number of fractions; where it is 0 arrays may be NULL
+ * @param path       QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: a fraction: that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
                                    double* q_out, size_t* bad_index);
+
+/** Slerp of one pair at many fractions in float: twin of qtraj_slerp().
+ *
+ * Computed in double and rounded once.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a          [4], w x y z, of any norm but 0: fraction 0
+ * @param b          [4], w x y z, of any norm but 0: fraction 1
+ * @param fraction   [count], any real numbers
+ * @param count      number of fractions; where it is 0 arrays may be NULL
+ * @param path       QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: a fraction: that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_f32(const float* a, const float* b, const float* fraction, size_t count,
                                        int32_t path, float* q_out, size_t* bad_index);
-/* Pair by pair: a, b [count][4], fraction [fraction_count], 1 or count. */
+
+/** Slerp pair by pair: the arcs from a to b at constant rate, one fraction for all or one for each.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a               [count][4], w x y z, of any norm but 0: fraction 0
+ * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param fraction        [fraction_count], any real numbers
+ * @param fraction_count  1 or count
+ * @param count           number of pairs; where it is 0 arrays may be NULL
+ * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const double* fraction,
                                          size_t fraction_count, size_t count, int32_t path, double* q_out,
                                          size_t* bad_index);
+
+/** Slerp pair by pair in float: twin of qtraj_slerp_pairs().
+ *
+ * Computed in double and rounded once. One fraction for all or one for each.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a               [count][4], w x y z, of any norm but 0: fraction 0
+ * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param fraction        [fraction_count], any real numbers
+ * @param fraction_count  1 or count
+ * @param count           number of pairs; where it is 0 arrays may be NULL
+ * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, const float* fraction,
                                              size_t fraction_count, size_t count, int32_t path, float* q_out,
                                              size_t* bad_index);
-/* Normalised linear interpolation of one pair; ZERO_NORM where the chord passes through 0, |p| < 1e-14. */
+
+/** Normalised linear interpolation of one pair at many fractions.
+ *
+ * @param a          [4], w x y z, of any norm but 0: fraction 0
+ * @param b          [4], w x y z, of any norm but 0: fraction 1
+ * @param fraction   [count], any real numbers; far outside the result tends to the direction of b - a
+ * @param count      number of fractions; where it is 0 arrays may be NULL
+ * @param path       QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a fraction), QTRAJ_E_ZERO_NORM (the chord passes through 0 there, norm below 1e-14, which
+ *     takes AS_GIVEN and opposite a and b): that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN */
 QTRAJ_API qtraj_status qtraj_nlerp(const double* a, const double* b, const double* fraction, size_t count, int32_t path,
                                    double* q_out, size_t* bad_index);
+
+/** Normalised linear interpolation of one pair at many fractions in float: twin of qtraj_nlerp().
+ *
+ * Computed in double and rounded once.
+ *
+ * @param a          [4], w x y z, of any norm but 0: fraction 0
+ * @param b          [4], w x y z, of any norm but 0: fraction 1
+ * @param fraction   [count], any real numbers; far outside the result tends to the direction of b - a
+ * @param count      number of fractions; where it is 0 arrays may be NULL
+ * @param path       QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a fraction), QTRAJ_E_ZERO_NORM (the chord passes through 0 there, norm below 1e-14, which
+ *     takes AS_GIVEN and opposite a and b): that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN */
 QTRAJ_API qtraj_status qtraj_nlerp_f32(const float* a, const float* b, const float* fraction, size_t count,
                                        int32_t path, float* q_out, size_t* bad_index);
-/* Pair by pair. */
+
+/** Normalised linear interpolation pair by pair, one fraction for all or one for each.
+ *
+ * @param a               [count][4], w x y z, of any norm but 0: fraction 0
+ * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param fraction        [fraction_count], any real numbers; far outside the result tends to the direction of b - a
+ * @param fraction_count  1 or count
+ * @param count           number of pairs; where it is 0 arrays may be NULL
+ * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
+ *     opposite a and b): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const double* fraction,
                                          size_t fraction_count, size_t count, int32_t path, double* q_out,
                                          size_t* bad_index);
+
+/** Normalised linear interpolation pair by pair in float: twin of qtraj_nlerp_pairs().
+ *
+ * Computed in double and rounded once. One fraction for all or one for each.
+ *
+ * @param a               [count][4], w x y z, of any norm but 0: fraction 0
+ * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param fraction        [fraction_count], any real numbers; far outside the result tends to the direction of b - a
+ * @param fraction_count  1 or count
+ * @param count           number of pairs; where it is 0 arrays may be NULL
+ * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
+ *     opposite a and b): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, const float* fraction,
                                              size_t fraction_count, size_t count, int32_t path, float* q_out,
                                              size_t* bad_index);
-/* Slerp from a at time_a to b at time_b, sampled at times [count], outside too. */
+
+/** Slerp from a at time_a to b at time_b, sampled at many times, before and after the two too.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a          [4], w x y z, of any norm but 0
+ * @param time_a     s
+ * @param b          [4], w x y z, of any norm but 0
+ * @param time_b     s, after time_a
+ * @param times      [count], s, in any order
+ * @param count      number of times; where it is 0 arrays may be NULL
+ * @param path       QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: one of times: that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (their distance overflows): a, b,
+ *     time_a or time_b, which is a fault of every row: all are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b, double time_b,
                                            const double* times, size_t count, int32_t path, double* q_out,
                                            size_t* bad_index);
-/* Controls a_i, b_i of keys [count][4], CATMULL_ROM, CHORD ends; signs as given (qtraj_make_continuous first); times
- * NULL: uniform; a of the last and b of the first key are that key. */
+
+/** Inner controls a_i, b_i of SQUAD for keys, by the rule CATMULL_ROM with CHORD ends.
+ *
+ * Arcs between neighbours are taken as their signs give them: qtraj_make_continuous() comes first. The first key's
+ * controls are that key, and so are the last one's.
+ *
+ * @param times      [count], s, strictly increasing; NULL: uniform
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0
+ * @param count      number of keys; where it is 0 arrays may be NULL
+ * @param a_out      [count][4], unit, control of the segment that starts at the key; may be q_wb
+ * @param b_out      [count][4], unit, control of the segment that ends at the key; may be q_wb where a_out is not
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of the times overflows):
+ *     the key at bad_index; its rows and those of its neighbours are NaN in both outputs, but the first and the last
+ *     key's, which need no neighbour; all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: a neighbour is the opposite of this key; the arc between them turns about the body's x axis */
 QTRAJ_API qtraj_status qtraj_squad_controls(const double* times, const double* q_wb, size_t count, double* a_out,
                                             double* b_out, size_t* bad_index);
-/* One segment q0 -> q1 with controls a (of q0) and b (of q1), each [4], arcs as given, at fraction [count]. */
+
+/** One segment of SQUAD from its keys and controls, at many fractions; arcs as their signs give them.
+ *
+ * @param q0         [4], w x y z, of any norm but 0, key where the segment starts: fraction 0
+ * @param q1         [4], the same, key where it ends: fraction 1
+ * @param a          [4], the same, a of q0 by qtraj_squad_controls()
+ * @param b          [4], the same, b of q1
+ * @param fraction   [count], any real numbers
+ * @param count      number of fractions; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a quaternion
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: a fraction: that row is NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a key or a control, which is a fault of every row: all are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: the ends of an arc are opposite; it turns about the body's x axis */
 QTRAJ_API qtraj_status qtraj_squad_segment(const double* q0, const double* q1, const double* a, const double* b,
                                            const double* fraction, size_t count, double* q_out, size_t* bad_index);
 
+/** @} */
+
 /* ---- Keys: in place allowed ---- */
 
-/* Unit quaternions, signs kept. */
+/** @defgroup qtraj-keys Keys
+ * Arrays of keys made ready. All of them work in place.
+ * @{ */
+
+/** Unit quaternions, signs kept.
+ *
+ * @param q          [count][4], of any norm but 0
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], unit; may be q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_normalize(const double* q, size_t count, double* q_out, size_t* bad_index);
+
+/** Unit quaternions of float, signs kept: twin of qtraj_normalize().
+ *
+ * Computed in double and rounded once.
+ *
+ * @param q          [count][4], of any norm but 0
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], unit; may be q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_normalize_f32(const float* q, size_t count, float* q_out, size_t* bad_index);
-/* Signs such that <q_{i-1}, q_i> >= 0 along each series of [series][length][4], norms kept; flips (nullable): how many
- * were changed. */
+
+/** Makes the signs of series of keys continuous: the dot product of neighbours is then >= 0.
+ *
+ * The first key of a series keeps its sign, and so does a key whose dot product is 0. Nothing but signs is changed.
+ *
+ * @param q          [series][length][4], of any norm but 0, one series after the other
+ * @param series     number of series; where it or length is 0 arrays may be NULL
+ * @param length     number of keys of each
+ * @param q_out      [series][length][4]; may be q
+ * @param flips      receives the number of keys that were negated, of all series; may be NULL
+ * @param bad_index  receives the index of the first row at fault, of series * length, SIZE_MAX where there is none; may
+ *                   be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of flips too): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN; the next is judged by the last good one before */
 QTRAJ_API qtraj_status qtraj_make_continuous(const double* q, size_t series, size_t length, double* q_out,
                                              size_t* flips, size_t* bad_index);
+
+/** Makes the signs of series of float keys continuous: twin of qtraj_make_continuous().
+ *
+ * The dot product of neighbours, taken in double, is then >= 0. The first key of a series keeps its sign, and so does a
+ * key whose dot product is 0. Nothing but signs is changed.
+ *
+ * @param q          [series][length][4], of any norm but 0, one series after the other
+ * @param series     number of series; where it or length is 0 arrays may be NULL
+ * @param length     number of keys of each
+ * @param q_out      [series][length][4]; may be q
+ * @param flips      receives the number of keys that were negated, of all series; may be NULL
+ * @param bad_index  receives the index of the first row at fault, of series * length, SIZE_MAX where there is none; may
+ *                   be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of flips too): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN; the next is judged by the last good one before */
 QTRAJ_API qtraj_status qtraj_make_continuous_f32(const float* q, size_t series, size_t length, float* q_out,
                                                  size_t* flips, size_t* bad_index);
-/* Component order x y z w -> w x y z; values are only moved. */
+
+/** Component order x y z w to w x y z: values are only moved, whatever they are.
+ *
+ * @param q_xyzw  [count][4], x y z w
+ * @param count   number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out   [count][4], w x y z; may be q_xyzw
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
 QTRAJ_API qtraj_status qtraj_wxyz_from_xyzw(const double* q_xyzw, size_t count, double* q_out);
+
+/** Component order x y z w to w x y z of float, values only moved: twin of qtraj_wxyz_from_xyzw().
+ *
+ * @param q_xyzw  [count][4], x y z w
+ * @param count   number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out   [count][4], w x y z; may be q_xyzw
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
 QTRAJ_API qtraj_status qtraj_wxyz_from_xyzw_f32(const float* q_xyzw, size_t count, float* q_out);
-/* Component order w x y z -> x y z w; values are only moved. */
+
+/** Component order w x y z to x y z w: values are only moved, whatever they are.
+ *
+ * @param q           [count][4], w x y z
+ * @param count       number of quaternions; where it is 0 arrays may be NULL
+ * @param q_xyzw_out  [count][4], x y z w; may be q
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
 QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz(const double* q, size_t count, double* q_xyzw_out);
+
+/** Component order w x y z to x y z w of float, values only moved: twin of qtraj_xyzw_from_wxyz().
+ *
+ * @param q           [count][4], w x y z
+ * @param count       number of quaternions; where it is 0 arrays may be NULL
+ * @param q_xyzw_out  [count][4], x y z w; may be q
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
 QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz_f32(const float* q, size_t count, float* q_xyzw_out);
+
+/** @} */
 
 /* ---- Algebra: in place where row lengths agree ---- */
 
-/* Hamilton product a b of quaternions as they are (not normalised); a_count, b_count: 1 or count. */
+/** @defgroup qtraj-algebra Algebra
+ * Row by row, in place where row lengths agree. Products, norms, dot products and conjugates take quaternions as they
+ * are, 0 included; all others take any norm but 0.
+ * @{ */
+
+/** Hamilton product a b of quaternions as they are, not normalised.
+ *
+ * @param a          [a_count][4], w x y z
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z
+ * @param b_count    1 or count
+ * @param count      number of products; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z; may be an input of count rows
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a, b, or a product that overflows): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_multiply(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                                       double* q_out, size_t* bad_index);
-/* (w, -x, -y, -z). */
+
+/** Conjugates (w, -x, -y, -z) of quaternions as they are: of unit ones the inverse rotations.
+ *
+ * @param q          [count][4], w x y z
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z; may be q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_conjugate(const double* q, size_t count, double* q_out, size_t* bad_index);
-/* conjugate / norm^2. */
+
+/** Inverses of quaternions as they are: conjugate / norm^2.
+ *
+ * @param q          [count][4], w x y z, other than 0
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z; may be q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (q, or an inverse that overflows), QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_inverse(const double* q, size_t count, double* q_out, size_t* bad_index);
-/* Euclidean norm, norm_out [count]. */
+
+/** Euclidean norms of quaternions.
+ *
+ * @param q          [count][4], w x y z
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param norm_out   [count]; may not overlap q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (q, or a norm that overflows): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_norm(const double* q, size_t count, double* norm_out, size_t* bad_index);
-/* Dot product in R^4, dot_out [count]. */
+
+/** Dot products in R^4 of quaternions as they are: of unit ones the cosine of half the turn from a to b.
+ *
+ * @param a          [count][4], w x y z
+ * @param b          [count][4], w x y z
+ * @param count      number of pairs; where it is 0 arrays may be NULL
+ * @param dot_out    [count]; may not overlap an input
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a, b, or a product that overflows): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_dot(const double* a, const double* b, size_t count, double* dot_out, size_t* bad_index);
-/* Unit quaternion of a half-angle vector v [count][3]: (cos |v|, v sin |v| / |v|). */
+
+/** Exponential of half-angle vectors: (cos |v|, v sin |v| / |v|), the rotation about v by 2 |v|.
+ *
+ * @param v          [count][3], rad, of any length
+ * @param count      number of vectors; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, unit; may not overlap v
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, size_t* bad_index);
-/* Half-angle vector [count][3] of q / |q|, |v| in [0, pi]; at q = -1 the x axis, AMBIGUOUS. */
+
+/** Logarithm of q / |q|: half-angle vectors, the sign of q kept, so that qtraj_exp() gives q / |q| back.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param v_out      [count][3], rad, |v| in [0, pi]; may not overlap q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: q / |q| is -1; that row is (pi, 0, 0) */
 QTRAJ_API qtraj_status qtraj_log(const double* q, size_t count, double* v_out, size_t* bad_index);
-/* exp(exponent * log(q)), q normalised; exponent_count: 1 or count. */
+
+/** Powers of q / |q|: exp(exponent * log(q)).
+ *
+ * @param q               [count][4], w x y z, of any norm but 0
+ * @param exponent        [exponent_count], any real numbers
+ * @param exponent_count  1 or count
+ * @param count           number of quaternions; where it is 0 arrays may be NULL
+ * @param q_out           [count][4], w x y z, unit; may be q
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (q or exponent), QTRAJ_E_ZERO_NORM: that row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: q / |q| is -1 and the exponent not whole; that row is a turn about the x axis */
 QTRAJ_API qtraj_status qtraj_pow(const double* q, const double* exponent, size_t exponent_count, size_t count,
                                  double* q_out, size_t* bad_index);
-/* World vectors q v q^-1 of body vectors v_body [v_count][3], q_wb [q_count][4]; each count 1 or count. */
+
+/** World vectors q v q^-1 of body vectors.
+ *
+ * @param q_wb         [q_count][4], w x y z, body to world, of any norm but 0
+ * @param q_count      1 or count
+ * @param v_body       [v_count][3], of any unit
+ * @param v_count      1 or count
+ * @param count        number of results; where it is 0 arrays may be NULL
+ * @param v_world_out  [count][3], of the same unit; may be v_body where v_count is count
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (q_wb, v_body, or a result that overflows), QTRAJ_E_ZERO_NORM: that row is NaN, all others are
+ *     right */
 QTRAJ_API qtraj_status qtraj_rotate(const double* q_wb, size_t q_count, const double* v_body, size_t v_count,
                                     size_t count, double* v_world_out, size_t* bad_index);
+
+/** World vectors q v q^-1 of body vectors in float: twin of qtraj_rotate().
+ *
+ * Computed in double and rounded once.
+ *
+ * @param q_wb         [q_count][4], w x y z, body to world, of any norm but 0
+ * @param q_count      1 or count
+ * @param v_body       [v_count][3], of any unit
+ * @param v_count      1 or count
+ * @param count        number of results; where it is 0 arrays may be NULL
+ * @param v_world_out  [count][3], of the same unit; may be v_body where v_count is count
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (q_wb, v_body, or a result too large for float), QTRAJ_E_ZERO_NORM: that row is NaN, all
+ *     others are right */
 QTRAJ_API qtraj_status qtraj_rotate_f32(const float* q_wb, size_t q_count, const float* v_body, size_t v_count,
                                         size_t count, float* v_world_out, size_t* bad_index);
-/* Angle on S^3 between a and b, [0, pi]: signs count. */
+
+/** Angles between quaternions on S^3, where signs count: half the angle that the body turns by.
+ *
+ * @param a          [a_count][4], w x y z, of any norm but 0
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z, of any norm but 0
+ * @param b_count    1 or count
+ * @param count      number of pairs; where it is 0 arrays may be NULL
+ * @param angle_out  [count], rad, in [0, pi]; may not overlap an input
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_distance(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                                       double* angle_out, size_t* bad_index);
-/* Angle of the rotation that takes a to b, [0, pi]: signs do not count. */
+
+/** Angles of the rotations that take a to b, where signs do not count.
+ *
+ * @param a          [a_count][4], w x y z, of any norm but 0
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z, of any norm but 0
+ * @param b_count    1 or count
+ * @param count      number of pairs; where it is 0 arrays may be NULL
+ * @param angle_out  [count], rad, in [0, pi]; may not overlap an input
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_rotation_angle(const double* a, size_t a_count, const double* b, size_t b_count,
                                             size_t count, double* angle_out, size_t* bad_index);
-/* Rotation vector [count][3], rad, |r| in [0, pi]; at pi the axis follows the sign of the vector part. */
+
+/** Rotation vectors of quaternions, the shorter way round.
+ *
+ * q and -q give the same, but at half a turn, where the vector part of q gives the axis.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param count      number of quaternions; where it is 0 arrays may be NULL
+ * @param r_out      [count][3], rad, |r| in [0, pi]; may not overlap q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_rotation_vector_from_q(const double* q, size_t count, double* r_out, size_t* bad_index);
-/* Unit quaternion of a rotation vector, any length. */
+
+/** Unit quaternions of rotation vectors of any length.
+ *
+ * @param r          [count][3], rad
+ * @param count      number of vectors; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, unit; may not overlap r
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t count, double* q_out, size_t* bad_index);
-/* Rotation matrix, row-major [count][9], v_world = M v_body. */
+
+/** Rotation matrices of quaternions: v_world = M v_body.
+ *
+ * @param q_wb        [count][4], w x y z, body to world, of any norm but 0
+ * @param count       number of quaternions; where it is 0 arrays may be NULL
+ * @param matrix_out  [count][9], row-major; may not overlap q_wb
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matrix_out, size_t* bad_index);
-/* Unit quaternion, w >= 0, of the matrix. */
+
+/** Unit quaternions of the rotations nearest to matrices.
+ *
+ * @param matrix     [count][9], row-major, v_world = M v_body
+ * @param count      number of matrices; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, body to world, unit, w >= 0; may not overlap matrix
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_NOT_ROTATION (more than 1e-3 away from every rotation, by the root of the sum of
+ *     squared elements, or a negative determinant): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index);
-/* q', q'' [count][4] of q / |q| from omega, alpha [count][3] in frame; alpha and ddq_out NULL together. */
+
+/** Derivatives q', q'' of q / |q| from angular velocities and accelerations.
+ *
+ * @param frame      a qtraj_frame_value, of omega and alpha
+ * @param q_wb       [count][4], w x y z, body to world, of any norm but 0
+ * @param omega      [count][3], rad/s
+ * @param alpha      [count][3], rad/s^2; NULL together with ddq_out
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param dq_out     [count][4], 1/s; may be q_wb
+ * @param ddq_out    [count][4], 1/s^2; NULL together with alpha; may be q_wb where dq_out is not
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (an input, or a result that overflows), QTRAJ_E_ZERO_NORM: that row is NaN in both outputs,
+ *     all others are right */
 QTRAJ_API qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega,
                                                     const double* alpha, size_t count, double* dq_out, double* ddq_out,
                                                     size_t* bad_index);
-/* omega, alpha of the curve q / |q| from q and its own derivatives q', q'': what changes its norm is ignored; ddq and
- * alpha_out NULL together. */
+
+/** Angular velocities and accelerations of the curve q / |q| from q and its own derivatives q', q''.
+ *
+ * What changes the norm of q alone is ignored.
+ *
+ * @param frame      a qtraj_frame_value, of omega_out and alpha_out
+ * @param q_wb       [count][4], w x y z, body to world, of any norm but 0
+ * @param dq         [count][4], 1/s
+ * @param ddq        [count][4], 1/s^2; NULL together with alpha_out
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param omega_out  [count][3], rad/s; may not overlap another array
+ * @param alpha_out  [count][3], rad/s^2; NULL together with ddq; may not overlap another array
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (an input, or a result that overflows), QTRAJ_E_ZERO_NORM: that row is NaN in both outputs,
+ *     all others are right */
 QTRAJ_API qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, const double* dq,
                                                     const double* ddq, size_t count, double* omega_out,
                                                     double* alpha_out, size_t* bad_index);
 
+/** @} */
+
 /* ---- Means: count >= 1, weights [count] >= 0 or NULL, summed in double; mean_out [4] ---- */
 
-/* Top eigenvector of sum w q q^T, sign of the first sample of weight above 0; eigengap (nullable): (l1 - l2) / trace; a
- * tie is AMBIGUOUS. */
+/** @defgroup qtraj-means Means
+ * Of one sample and more, summed in double. A weight says how many times its sample counts; only ratios matter. Signs
+ * of samples do not matter, but that the mean has the sign of the first sample whose weight is not 0.
+ * @{ */
+
+/** Mean that minimises the weighted sum of squared chords: the top eigenvector of sum w q q^T.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param weights    [count], 0 or more, not all 0; NULL: all 1
+ * @param count      number of samples, 1 or more
+ * @param mean_out   [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
+ * @param eigengap   receives (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may be NULL
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
+ *     mean_out and eigengap are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues tie, to 64 eps of double; mean_out is one of the best */
 QTRAJ_API qtraj_status qtraj_mean_eigen(const double* q, const double* weights, size_t count, double* mean_out,
                                         double* eigengap, size_t* bad_index);
+
+/** Mean that minimises the weighted sum of squared chords, of float samples: twin of qtraj_mean_eigen().
+ *
+ * Samples and weights are read as float, the sum is taken in double, the mean rounded once.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param weights    [count], 0 or more, not all 0; NULL: all 1
+ * @param count      number of samples, 1 or more
+ * @param mean_out   [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
+ * @param eigengap   receives (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may be NULL
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
+ *     mean_out and eigengap are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues tie, to 64 eps of float; mean_out is one of the best */
 QTRAJ_API qtraj_status qtraj_mean_eigen_f32(const float* q, const float* weights, size_t count, float* mean_out,
                                             double* eigengap, size_t* bad_index);
-/* Global minimum of sum w angle^2; AMBIGUOUS (best mean written) where not proven unique. tolerance: rad on S^3, floor
- * 4 eps, 0 the floor; iterations, residual (nullable): how many, last step. NO_CONVERGENCE leaves the last iterate. */
+
+/** Mean that minimises the weighted sum of squared angles; an OK proves it to be the global minimum.
+ *
+ * @param q               [count][4], w x y z, of any norm but 0
+ * @param weights         [count], 0 or more, not all 0; NULL: all 1
+ * @param count           number of samples, 1 or more
+ * @param tolerance       rad on S^3, 0 or more: a descent ends after a step of this length; what is less than 4 eps of
+ *                        double counts as that
+ * @param max_iterations  of each descent, 1 or more
+ * @param mean_out        [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
+ * @param iterations      receives how many the descent to the mean took; may be NULL
+ * @param residual        receives the length of its last step, rad on S^3; may be NULL
+ * @param bad_index       receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (tolerance not finite or below 0, max_iterations below
+ *     1), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
+ *     mean_out and residual are NaN, iterations 0;
+ *   - QTRAJ_E_AMBIGUOUS: not proven to be the only best, a tie or samples spread widely; mean_out is the best found;
+ *   - QTRAJ_E_NO_CONVERGENCE: max_iterations were not enough; mean_out is the last iterate */
 QTRAJ_API qtraj_status qtraj_mean_karcher(const double* q, const double* weights, size_t count, double tolerance,
                                           int32_t max_iterations, double* mean_out, int32_t* iterations,
                                           double* residual, size_t* bad_index);
+
+/** Mean that minimises the weighted sum of squared angles, of float samples: twin of qtraj_mean_karcher().
+ *
+ * Samples and weights are read as float, the descents run in double, the mean is rounded once. An OK proves it to be
+ * the global minimum.
+ *
+ * @param q               [count][4], w x y z, of any norm but 0
+ * @param weights         [count], 0 or more, not all 0; NULL: all 1
+ * @param count           number of samples, 1 or more
+ * @param tolerance       rad on S^3, 0 or more: a descent ends after a step of this length; what is less than 4 eps of
+ *                        float counts as that
+ * @param max_iterations  of each descent, 1 or more
+ * @param mean_out        [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
+ * @param iterations      receives how many the descent to the mean took; may be NULL
+ * @param residual        receives the length of its last step, rad on S^3; may be NULL
+ * @param bad_index       receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (tolerance not finite or below 0, max_iterations below
+ *     1), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
+ *     mean_out and residual are NaN, iterations 0;
+ *   - QTRAJ_E_AMBIGUOUS: not proven to be the only best, a tie or samples spread widely; mean_out is the best found;
+ *   - QTRAJ_E_NO_CONVERGENCE: max_iterations were not enough; mean_out is the last iterate */
 QTRAJ_API qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weights, size_t count, double tolerance,
                                               int32_t max_iterations, float* mean_out, int32_t* iterations,
                                               double* residual, size_t* bad_index);
 
+/** @} */
+
 /* ---- Sample diagnostics: samples of any origin, neighbours sign-folded ---- */
 
-/* Mean rates between neighbours: t_mid_out [count-1] (nullable), omega_out [count-1][3]; count >= 2. */
+/** @defgroup qtraj-sample-diagnostics Sample diagnostics
+ * Of samples of any origin, any norm but 0, whatever their signs: neighbours are taken the shorter way round. A faulty
+ * sample makes the rows that use it NaN, no others, and is reported even if no row uses it. A time is judged by the
+ * finite ones before it.
+ * @{ */
+
+/** Mean angular velocities between neighbouring samples.
+ *
+ * @param frame      a qtraj_frame_value, of omega_out
+ * @param times      [count], s, strictly increasing
+ * @param q_wb       [count][4], w x y z, body to world, of any norm but 0
+ * @param count      number of samples, 2 or more
+ * @param t_mid_out  [count - 1], s, the middles of the intervals; may not overlap another array; may be NULL
+ * @param omega_out  [count - 1][3], rad/s, row k from sample k to k + 1; may not overlap another array
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of the times overflows):
+ *     a sample; the one or two rows beside it are NaN in both outputs, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS, with the later sample: two are half a turn apart; that row has one of the two directions */
 QTRAJ_API qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const double* q_wb, size_t count,
                                             double* t_mid_out, double* omega_out, size_t* bad_index);
-/* Sum of |w_{k+1} - w_k|^2 / (m_{k+1} - m_k) over the estimated rates w at mid-times m, rad^2/s^3; count >= 3. */
+
+/** Approximates the integral of |alpha|^2 by samples: the sum of |w_{k+1} - w_k|^2 / (m_{k+1} - m_k).
+ *
+ * w are the rates of qtraj_estimate_omega(), m the middles of their intervals.
+ *
+ * @param frame      a qtraj_frame_value, of the rates that are compared
+ * @param times      [count], s, strictly increasing
+ * @param q_wb       [count][4], w x y z, body to world, of any norm but 0
+ * @param count      number of samples, 3 or more
+ * @param energy     receives the sum, rad^2/s^3
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a sample, or the sum exceeds 1e300 there), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER,
+ *     QTRAJ_E_TIME_RANGE (the span of the times overflows): energy is NaN;
+ *   - QTRAJ_E_AMBIGUOUS, with the later sample: two are half a turn apart; energy is that of one of the directions */
 QTRAJ_API qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const double* q_wb, size_t count,
                                              double* energy, size_t* bad_index);
-/* At each knot: estimated rate of the first sample interval that begins at or after it minus that of the last one that
- * ends at or before it; where one is missing, NaN and TIME_RANGE. bad_index counts samples, then knots. */
+
+/** By how much the estimated angular velocity of samples jumps at each knot.
+ *
+ * Row k is the rate of the first interval between samples that begins at or after knots[k], minus that of the last one
+ * that ends at or before it; rates as of qtraj_estimate_omega().
+ *
+ * @param frame       a qtraj_frame_value, of jump_out
+ * @param times       [count], s, strictly increasing
+ * @param q_wb        [count][4], w x y z, body to world, of any norm but 0
+ * @param count       number of samples, 2 or more
+ * @param knots       [knot_count], s, in any order
+ * @param knot_count  number of knots; where it is 0 knots and jump_out may be NULL; samples are checked all the same
+ * @param jump_out    [knot_count][3], rad/s; may not overlap another array
+ * @param bad_index   receives the first index at fault, that of a sample, or count plus that of a knot, SIZE_MAX where
+ *                    there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a sample; rows that use its orientation are NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the time of a sample; all rows are NaN;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE (no interval on one side): a knot; its row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: a knot, beside which samples are half a turn apart; its row has one of the two directions */
 QTRAJ_API qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const double* q_wb, size_t count,
                                             const double* knots, size_t knot_count, double* jump_out,
                                             size_t* bad_index);
-/* Rotation angle, rad, of each key to the sample nearest in time (a tie: the earlier), and its index (nullable); sample
- * times increase. bad_index counts keys, then samples. error_out may not be the array of sample times. */
+
+/** Rotation angle of each key to the sample nearest in time, at a tie the earlier one.
+ *
+ * @param key_times  [key_count], s, in any order
+ * @param key_q      [key_count][4], w x y z, body to world, of any norm but 0
+ * @param key_count  number of keys; where it is 0 their arrays and the outputs may be NULL, and samples are checked all
+ *                   the same
+ * @param times      [count], s, strictly increasing
+ * @param q_wb       [count][4], w x y z, body to world, the samples; of any norm but 0
+ * @param count      number of samples, 1 or more, without keys 0 too
+ * @param error_out  [key_count], rad, in [0, pi]; may be key_times, not times
+ * @param index_out  [key_count], index of that sample, SIZE_MAX where the row is at fault; may not overlap another
+ *                   array; may be NULL
+ * @param bad_index  receives the first index at fault, that of a key, or key_count plus that of a sample, SIZE_MAX
+ *                   where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a key, or a sample's orientation; rows of that key, or of keys that are
+ *     nearest to that sample, are NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (their span overflows): the time of a sample; all rows
+ *     are NaN */
 QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q, size_t key_count,
                                              const double* times, const double* q_wb, size_t count, double* error_out,
                                              size_t* index_out, size_t* bad_index);
 
+/** @} */
+
 /* ---- Spline: double only; allocates working space ---- */
 
-/* C2 cubic through y [count][dim] at x [count]; ends DEFAULT, NATURAL, NOT_A_KNOT or PERIODIC; y_out [query_count][dim]
- * at queries, outside x NaN and TIME_RANGE; count >= 2. PERIODIC: first and last y equal to 1e-6 of the largest, else
- * NOT_CLOSED. bad_index counts points, then queries. */
+/** @defgroup qtraj-spline Spline
+ * For numbers of any kind, positions for instance, in double.
+ * @{ */
+
+/** C2 cubic spline through rows of numbers, sampled at queries; allocates working space during the call.
+ *
+ * @param x            [count], strictly increasing: the knots
+ * @param y            [count][dim], values at the knots
+ * @param count        number of points, 2 or more
+ * @param dim          numbers a row, each a spline of its own; where it is 0 y and y_out may be NULL
+ * @param start        QTRAJ_END_DEFAULT (NATURAL), QTRAJ_END_NATURAL, QTRAJ_END_NOT_A_KNOT or QTRAJ_END_PERIODIC
+ * @param end          the same at the last point; QTRAJ_END_PERIODIC is for both ends or none
+ * @param queries      [query_count], in any order
+ * @param query_count  number of queries; where it is 0 queries and y_out may be NULL; points are checked all the same
+ * @param y_out        [query_count][dim]; may be an input of as many rows and as long ones
+ * @param bad_index    receives the first index at fault, that of a point, or count plus that of a query, SIZE_MAX where
+ *                     there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (ends), QTRAJ_E_OVERLAP, QTRAJ_E_NO_MEMORY: nothing is
+ *     written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of x overflows): a point; all rows are NaN;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC, and the last point, at bad_index, has a y off the first by more than 1e-6 of the
+ *     largest; all rows are NaN;
+ *   - QTRAJ_E_NOT_FINITE (or a value overflows), QTRAJ_E_TIME_RANGE (outside x): a query; its row is NaN, all others
+ *     are right */
 QTRAJ_API qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start,
                                           int32_t end, const double* queries, size_t query_count, double* y_out,
                                           size_t* bad_index);
 
+/** @} */
+
 #ifdef __cplusplus
 }
 #endif
+
+/** @mainpage The C interface
+ * @copybrief qtraj.h
+ *
+ * @copydetails qtraj.h */
 
 #endif
