@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# quoted.sh project: every ratio that README.md quotes is the one in bench/results.md.
+# quoted.sh project: every ratio that docs/speed.md quotes is the one in bench/results.md.
 set -euo pipefail
 cd "$1"
 awk -F' *[|] *' '
@@ -10,8 +10,11 @@ awk -F' *[|] *' '
     if ($2 == "work" || $2 ~ /^-/) next
     rows++
     row = $2 "/" $3 "/" $4 "/" $5
-    if ($6 != ratio[row "/avx512 fused"] || $7 != ratio[row "/avx2 fused"]) { print "README.md: not measured: " $0; bad = 1 }
+    if ($6 != ratio[row "/avx512 fused"] || $7 != ratio[row "/avx2 fused"]) {
+      print "docs/speed.md: not measured: " $0
+      bad = 1
+    }
     next
   }
   quoted && rows { quoted = 0 }
-  END { if (!rows) print "README.md quotes no ratios"; exit bad || !rows }' bench/results.md README.md
+  END { if (!rows) print "docs/speed.md quotes no ratios"; exit bad || !rows }' bench/results.md docs/speed.md

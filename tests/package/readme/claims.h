@@ -1,4 +1,5 @@
-/* What README.md says about the library's behaviour, claim by claim, as far as it needs no reference values. */
+/* What the pages in docs/ say about the library's behaviour, claim by claim, as far as it needs no reference values. A
+ * file for each page. */
 #ifndef CLAIMS_H
 #define CLAIMS_H
 
@@ -36,6 +37,7 @@ double difference(qtraj_trajectory* a, qtraj_trajectory* b);
 
 double length(const double v[3]);
 
+void check_curves(void);
 void check_methods(void);
 void check_orders(void);
 void check_settings(void);
@@ -43,6 +45,6 @@ void check_rates(void);
 void check_closed_curves(void);
 void check_errors(void);
 void check_guarantees(void);
-void check_arrays(void);
+void check_functions(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* Times outside the keys; curves that repeat. */
+/* docs/settings.md: times outside the keys, closed curves. */
 #include <math.h>
 #include <string.h>
 

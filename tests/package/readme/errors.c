@@ -1,4 +1,4 @@
-/* Every status of this version, bad_index, rows of NaN. */
+/* docs/errors.md and the limits of docs/guarantees.md: statuses, bad_index, rows of NaN. */
 #include <math.h>
 #include <string.h>
 
@@ -44,6 +44,19 @@ static void check_limits(void) {
     CHECK(!create_given(method, t, q, omega, alpha, 3, &curve, &bad));
     qtraj_destroy(curve);
   }
+  { /* the rate of an end */
+    const double still[3] = {0, 0, 0};
+    double omega[3] = {0, 0, 0};
+    qtraj_options* options = options_of(QTRAJ_ROTATION_SPLINE);
+    CHECK(!qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_GIVEN));
+    omega[1] = ldexp(1.01, 199);
+    CHECK(!qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, omega, still));
+    CHECK(try_with(options, 3, t, q, &bad) == QTRAJ_E_NOT_FINITE && bad == 0);
+    omega[1] = ldexp(1.01, 200);
+    CHECK(!qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, still, omega));
+    CHECK(try_with(options, 3, t, q, &bad) == QTRAJ_E_NOT_FINITE && bad == 2);
+    qtraj_options_destroy(options);
+  }
   { /* an energy past the largest double */
     const double soon[3] = {0, 1e-12, 1};
     double omega[3][3] = {{0, 0, 1e160}}, energy;
@@ -51,6 +64,15 @@ static void check_limits(void) {
     CHECK(qtraj_curve_energy(curve, &energy) == QTRAJ_E_NOT_FINITE);
     qtraj_destroy(curve);
   }
+}
+
+/* Compiles as it stands there. */
+static qtraj_status run_snippet(const double* keys, qtraj_trajectory** built, size_t* bad) {
+  qtraj_trajectory* curve;
+#include "errors_snippet.c"
+  *built = curve;
+  *bad = bad_index;
+  return status;
 }
 
 void check_errors(void) {
@@ -84,6 +106,8 @@ void check_errors(void) {
   CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], SIZE_MAX / 8, &none, NULL) == QTRAJ_E_SIZE);
 
   check_limits();
+  CHECK(run_snippet(keys[0], &trajectory, &bad) == QTRAJ_OK && bad == SIZE_MAX && trajectory != NULL);
+  qtraj_destroy(trajectory);
 
   options = options_of(QTRAJ_LOG_SPLINE);
   CHECK(!qtraj_options_set_reference(options, QTRAJ_REFERENCE_MEAN, NULL));

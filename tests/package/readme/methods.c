@@ -1,4 +1,4 @@
-/* The table of methods: continuity, reach of a key, two keys, what the notes below it say. */
+/* docs/methods.md: continuity, reach of a key, two keys, what is said about single methods. */
 #include <math.h>
 #include <string.h>
 
@@ -30,7 +30,7 @@ static void check_continuity(void) {
   }
 }
 
-static void check_curves(void) {
+static void check_shapes(void) {
   double moved[count][4], q[4], r[4], reference[4];
   qtraj_trajectory *a, *b;
   qtraj_options* options;
@@ -167,7 +167,7 @@ static void check_norms(void) {
 
 void check_methods(void) {
   check_continuity();
-  check_curves();
+  check_shapes();
   check_ripple();
   check_solver();
   check_norms();

@@ -1,4 +1,4 @@
-/* Orders of accuracy. */
+/* docs/methods.md: orders. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,10 +1,10 @@
-/* Rates and curve diagnostics. */
+/* docs/rates.md: rates and curve diagnostics. */
 #include <math.h>
 #include <string.h>
 
 #include "claims.h"
 
-/* Compiles as it stands in the README. */
+/* Compiles as it stands there. */
 static void run_snippet(const qtraj_trajectory* curve) {
   enum { rows = 3 };
   const double sample_times[rows] = {0.5, 1, 1.2};

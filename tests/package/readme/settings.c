@@ -1,8 +1,35 @@
-/* The tables of settings: which method has which, defaults, given rates. */
+/* docs/settings.md: which method has which setting, defaults, given rates. */
 #include <math.h>
 #include <string.h>
 
 #include "claims.h"
+
+/* Compiles as it stands there; returns 1 on an error. */
+static int run_snippet(const double* keys, qtraj_trajectory** built) {
+  qtraj_trajectory* curve;
+#include "settings_snippet.c"
+  *built = curve;
+  return 0;
+}
+
+static void check_snippet(void) {
+  double q[4], r[4];
+  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  qtraj_trajectory *curve = NULL, *same;
+  int run, k;
+  CHECK(run_snippet(keys[0], &curve) == 0);
+  if (curve == NULL) return;
+  CHECK(!qtraj_sample_at(curve, -1, NULL, q) && !qtraj_sample_at(curve, times[0], NULL, r));
+  for (k = 0; k < 4; ++k) CHECK(fabs(q[k] - r[k]) < 1e-15);
+  CHECK(!qtraj_sample_at(curve, times[count - 1] + 1, NULL, q));
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_ESTIMATED, QTRAJ_END_ESTIMATED));
+  for (run = 0; run < 2; ++run) { /* options can be used again */
+    CHECK(!qtraj_create_with_options(options, times, keys[0], count, &same, NULL) && distance(curve, same) == 0);
+    qtraj_destroy(same);
+  }
+  qtraj_options_destroy(options);
+  qtraj_destroy(curve);
+}
 
 static void check_end_conditions(void) {
   static const char taken[methods + 1][8] = {"", "", "", "DC  EGP", "D NK  P", "DCN EGP", "", "", ""};
@@ -174,6 +201,7 @@ static void check_needs(void) {
 }
 
 void check_settings(void) {
+  check_snippet();
   check_spline_ends();
   check_closed_given();
   check_needs();
