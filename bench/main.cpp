@@ -11,9 +11,6 @@
 
 namespace {
 
-const char* const kTargets[] = {"avx512 fused", "avx2 fused",  "neon fused",
-                                "sse4 plain",   "ssse3 plain", "scalar plain"};
-
 // Takes our own options out of argv; false where the program shall end, with that exit code.
 bool take_options(int& argc, char** argv, bench::Settings& settings, int& exit_code) {
   int left = 1;
@@ -22,7 +19,7 @@ bool take_options(int& argc, char** argv, bench::Settings& settings, int& exit_c
     if (std::strcmp(option, "--large") == 0) {
       settings.large = true;
     } else if (std::strcmp(option, "--list-targets") == 0) {
-      for (const char* target : kTargets)
+      for (size_t k = 0; const char* const target = qtraj_bench_target(k); ++k)
         if (qtraj_bench_force_kernel(target)) std::puts(target);
       return false;
     } else if (std::strncmp(option, "--target=", 9) == 0) {

@@ -1,5 +1,8 @@
 #include "arguments.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+
 namespace qtraj::capi {
 namespace {
 
@@ -10,13 +13,17 @@ bool fits_memory(const Argument& argument) {
   return array_bytes(argument.rows, argument.width * argument.element_bytes, bytes);
 }
 
+Bytes bytes_of(const Argument& argument) {
+  return {argument.data, argument.rows * argument.width * argument.element_bytes};
+}
+
 // Two arrays whose overlap is an error: one of them is written, and they are not the same rows.
 bool clash(const Argument& a, const Argument& b) {
   if (!a.is_output && !b.is_output) return false;
-  const bool same_rows =
-      a.data == b.data && a.rows == b.rows && a.width == b.width && a.element_bytes == b.element_bytes;
+  const bool same_rows = a.data == b.data && a.rows == b.rows && a.width == b.width &&
+                         a.element_bytes == b.element_bytes && !a.is_distinct && !b.is_distinct;
   if (same_rows && a.is_output != b.is_output) return false;
-  return overlap({a.data, a.rows * a.width * a.element_bytes}, {b.data, b.rows * b.width * b.element_bytes});
+  return overlap(bytes_of(a), bytes_of(b));
 }
 
 }  // namespace
@@ -32,6 +39,33 @@ Status check(std::initializer_list<Argument> arguments, const Conditions& condit
     for (const Argument* b = a + 1; b != arguments.end(); ++b)
       if (clash(*a, *b)) return Status::overlap;
   return Status::ok;
+}
+
+bool overlap(const Bytes& a, const Bytes& b) {
+  if (!a.data || !b.data || a.count == 0 || b.count == 0) return false;
+  const auto a_begin = reinterpret_cast<uintptr_t>(a.data), b_begin = reinterpret_cast<uintptr_t>(b.data);
+  return a_begin < b_begin ? b_begin - a_begin < a.count : a_begin - b_begin < b.count;
+}
+
+bool array_bytes(size_t count, size_t element_bytes, size_t& bytes) {
+  if (count > static_cast<size_t>(PTRDIFF_MAX) / element_bytes) return false;
+  bytes = count * element_bytes;
+  return true;
+}
+
+bool is_aligned(const void* memory) { return reinterpret_cast<uintptr_t>(memory) % 8 == 0; }
+
+void* allocate(size_t bytes) {
+  const int saved = errno;
+  void* memory = std::malloc(bytes);
+  errno = saved;
+  return memory;
+}
+
+void release(void* memory) {
+  const int saved = errno;
+  std::free(memory);
+  errno = saved;
 }
 
 }  // namespace qtraj::capi

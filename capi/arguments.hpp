@@ -1,43 +1,70 @@
-// Functions over arrays: their arguments, checked in the order of the contract, then the core's loop.
+// What every translation needs: handles, and the checks of arguments that come before any work.
 #pragma once
 
 #include <initializer_list>
 
-#include "qtraj/rows.hpp"
-#include "translate.hpp"
+#include "base/array.hpp"
+#include "base/status.hpp"
+#include "curve/trajectory.hpp"
+#include "methods/options.hpp"
+#include "qtraj.h"
+
+struct qtraj_options {
+  qtraj::Options core;
+  bool on_heap;
+};
+
+struct qtraj_trajectory {
+  qtraj::Trajectory core;
+};
 
 namespace qtraj::capi {
 
-// An array of `rows` rows; NULL is allowed without rows and where it is optional.
+// The core's statuses are those of qtraj.h.
+inline qtraj_status to_c(Status status) { return static_cast<qtraj_status>(status); }
+
+// Writes bad_index, where there is one, and gives the status back.
+inline qtraj_status report(const Outcome& outcome, size_t* bad_index) {
+  if (bad_index) *bad_index = outcome.index;
+  return to_c(outcome.status);
+}
+
+// ---- Arrays ----
+
+// An array of the caller as the checks see it: where it is, how long, and what may be done with it.
 struct Argument {
   const void* data;
   size_t rows, width, element_bytes;
-  bool is_output, is_optional;
-};
+  bool is_output = false;
+  bool is_optional = false;  // may be NULL
+  bool is_distinct = false;  // may be no other array, even one of the same rows
 
+  template <size_t Width>
+  Argument(const Input<Width>& array)  // NOLINT(google-explicit-constructor)
+      : data(array.data), rows(array.rows), width(Width), element_bytes(array.is_float ? 4 : 8) {}
+  template <size_t Width>
+  Argument(const Output<Width>& array)  // NOLINT(google-explicit-constructor)
+      : data(array.data), rows(array.rows), width(Width), element_bytes(array.is_float ? 4 : 8), is_output(true) {}
+  Argument(const void* at, size_t row_count, size_t row_width, size_t bytes_each, bool is_written)
+      : data(at), rows(row_count), width(row_width), element_bytes(bytes_each), is_output(is_written) {}
+};
+// `count` results of a type that is none of the core's arrays.
 template <class Element>
-Argument input(const Element* data, size_t rows, size_t width) {
-  return {data, rows, width, sizeof(Element), false, false};
-}
-template <class Element>
-Argument output(Element* data, size_t rows, size_t width) {
-  return {data, rows, width, sizeof(Element), true, false};
+Argument result(Element* data, size_t count) {
+  return {data, count, 1, sizeof(Element), true};
 }
 inline Argument optional(Argument argument) {
   argument.is_optional = true;
   return argument;
 }
-
-// An array that no other may be, even one of as many rows: as bytes it has no other's type.
-inline Argument apart(Argument argument) {
-  argument.width *= argument.element_bytes;
-  argument.element_bytes = 1;
+inline Argument distinct(Argument argument) {
+  argument.is_distinct = true;
   return argument;
 }
 
 // Rows of an input that has a count of its own: none where the call has none.
 inline size_t rows_of(size_t own_count, size_t count) { return count == 0 ? 0 : own_count; }
-inline bool serves(size_t own_count, size_t count) { return own_count == 1 || own_count == count; }
+inline bool is_one_or(size_t count, size_t own_count) { return own_count == 1 || own_count == count; }
 
 // What a call needs besides its arrays.
 struct Conditions {
@@ -45,22 +72,9 @@ struct Conditions {
   bool options_known = true;  // else OPTION
 };
 
-// NULL, COUNT, SIZE, OPTION, OVERLAP, in this order. An output may be an input with the same rows; inputs may overlap.
+// NULL, COUNT, SIZE, OPTION, OVERLAP, in this order. NULL is allowed without rows and where it is optional. An output
+// may be an input with the same rows; inputs may overlap.
 Status check(std::initializer_list<Argument> arguments, const Conditions& conditions);
-
-template <int Width, class Real>
-Rows<Width> rows(const Real* data) {
-  return {data, sizeof(Real) == sizeof(float)};
-}
-// The same where one row may serve all.
-template <int Width, class Real>
-Rows<Width> rows(const Real* data, size_t own_count) {
-  return {data, sizeof(Real) == sizeof(float), own_count == 1};
-}
-template <int Width, class Real>
-OutputRows<Width> output_rows(Real* data) {
-  return {data, sizeof(Real) == sizeof(float)};
-}
 
 // Checks the arguments and, where they are good, calls the core.
 template <class Core>
@@ -71,5 +85,22 @@ qtraj_status call(std::initializer_list<Argument> arguments, const Conditions& c
   if (status != Status::ok) return to_c(status);
   return report(core(), bad_index);
 }
+
+// ---- Memory ----
+
+struct Bytes {
+  const void* data;
+  size_t count;
+};
+bool overlap(const Bytes& a, const Bytes& b);
+
+// Bytes of count elements; false where they would exceed PTRDIFF_MAX.
+bool array_bytes(size_t count, size_t element_bytes, size_t& bytes);
+
+bool is_aligned(const void* memory);  // to 8 bytes
+
+// malloc and free that leave errno alone.
+void* allocate(size_t bytes);
+void release(void* memory);
 
 }  // namespace qtraj::capi

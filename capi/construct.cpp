@@ -1,5 +1,5 @@
-#include "qtraj/keyframes.hpp"
-#include "translate.hpp"
+#include "arguments.hpp"
+#include "methods/build.hpp"
 
 using namespace qtraj;
 
@@ -12,14 +12,16 @@ struct Request {
   qtraj_trajectory** out;
   size_t* bad_index;
 
-  size_t element_bytes() const { return input.q_wb.single ? sizeof(float) : sizeof(double); }
+  size_t element_bytes() const { return input.q_wb.is_float ? sizeof(float) : sizeof(double); }
 };
 
 template <class Real>
 Request request(const double* times, const Real* q_wb, int32_t frame, const Real* omega, const Real* alpha,
                 size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  constexpr bool kSingle = sizeof(Real) == sizeof(float);
-  return {{times, {q_wb, kSingle}, {omega, kSingle}, {alpha, kSingle}, count}, frame, out, bad_index};
+  return {{times, qtraj::input<4>(q_wb, count), qtraj::input<3>(omega, count), qtraj::input<3>(alpha, count), count},
+          frame,
+          out,
+          bad_index};
 }
 
 // NULL, COUNT and SIZE; *out and *bad_index get their values for an error.
@@ -80,7 +82,7 @@ qtraj_status create_with_given_rates(const qtraj_options* options, const Request
   return status != Status::ok ? capi::to_c(status) : create_with_options(options, request);
 }
 
-bool overlaps_input(const capi::Array& memory, const qtraj_options* options, const Request& request) {
+bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, const Request& request) {
   const KeyframeInput& input = request.input;
   const size_t row_of_3 = 3 * input.count * request.element_bytes();
   return capi::overlap(memory, {input.times, input.count * sizeof(double)}) ||

@@ -1,8 +1,7 @@
-#include "qtraj/curve_diagnostics.hpp"
-
-#include "qtraj/least_norm.hpp"
-#include "qtraj/options.hpp"
-#include "translate.hpp"
+#include "arguments.hpp"
+#include "diagnostics/curve.hpp"
+#include "diagnostics/least_norm.hpp"
+#include "methods/options.hpp"
 
 using namespace qtraj;
 using capi::to_c;

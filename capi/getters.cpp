@@ -1,7 +1,7 @@
 #include <cstring>
 #include <limits>
 
-#include "translate.hpp"
+#include "arguments.hpp"
 
 using namespace qtraj;
 

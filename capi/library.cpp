@@ -1,5 +1,5 @@
-#include "kernel/kernel.hpp"
-#include "translate.hpp"
+#include "arguments.hpp"
+#include "targets/targets.hpp"
 
 extern "C" {
 
@@ -7,7 +7,7 @@ const char* qtraj_version(void) { return QTRAJ_VERSION_STRING; }
 
 int32_t qtraj_version_number(void) { return QTRAJ_VERSION_NUMBER; }
 
-const char* qtraj_target(void) { return qtraj::kernel().target; }
+const char* qtraj_target(void) { return qtraj::target_name(qtraj::target()); }
 
 const char* qtraj_status_text(int32_t status) {
   switch (status) {

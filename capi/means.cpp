@@ -1,6 +1,6 @@
 #include "arguments.hpp"
-#include "qtraj/karcher_mean.hpp"
-#include "qtraj/mean.hpp"
+#include "means/eigen_mean.hpp"
+#include "means/karcher_mean.hpp"
 
 using namespace qtraj;
 using namespace qtraj::capi;
@@ -9,18 +9,19 @@ namespace {
 
 // A scalar result that the caller may not want; there is none without samples.
 template <class Element>
-Argument scalar_output(Element* data, size_t count) {
-  return optional(output(data, rows_of(1, count), 1));
+Argument scalar_result(Element* data, size_t count) {
+  return optional(result(data, rows_of(1, count)));
 }
 
 template <class Real>
 qtraj_status mean_eigen(const Real* q, const Real* weights, size_t count, Real* mean_out, double* eigengap,
                         size_t* bad_index) {
-  return call({input(q, count, 4), optional(input(weights, count, 1)), output(mean_out, rows_of(1, count), 4),
-               scalar_output(eigengap, count)},
-              {count >= 1}, bad_index, [&] {
-                const EigenMean mean = qtraj::mean_eigen({rows<4>(q), rows<1>(weights), count});
-                output_rows<4>(mean_out).write(0, mean.q);
+  const WeightedOrientations samples = {input<4>(q, count), input<1>(weights, count), count};
+  const Output<4> out = output<4>(mean_out, rows_of(1, count));
+  return call({samples.q, optional(samples.weights), out, scalar_result(eigengap, count)}, {count >= 1}, bad_index,
+              [&] {
+                const EigenMean mean = qtraj::mean_eigen(samples);
+                write_row(out, 0, mean.q);
                 if (eigengap) *eigengap = mean.eigengap;
                 return mean.outcome;
               });
@@ -29,11 +30,13 @@ qtraj_status mean_eigen(const Real* q, const Real* weights, size_t count, Real* 
 template <class Real>
 qtraj_status mean_karcher(const Real* q, const Real* weights, size_t count, const KarcherSettings& settings,
                           Real* mean_out, int32_t* iterations, double* residual, size_t* bad_index) {
-  return call({input(q, count, 4), optional(input(weights, count, 1)), output(mean_out, rows_of(1, count), 4),
-               apart(scalar_output(iterations, count)), scalar_output(residual, count)},
+  const WeightedOrientations samples = {input<4>(q, count), input<1>(weights, count), count};
+  const Output<4> out = output<4>(mean_out, rows_of(1, count));
+  return call({samples.q, optional(samples.weights), out, distinct(scalar_result(iterations, count)),
+               scalar_result(residual, count)},
               {count >= 1, settings.is_valid()}, bad_index, [&] {
-                const KarcherMean mean = qtraj::mean_karcher({rows<4>(q), rows<1>(weights), count}, settings);
-                output_rows<4>(mean_out).write(0, mean.q);
+                const KarcherMean mean = qtraj::mean_karcher(samples, settings);
+                write_row(out, 0, mean.q);
                 if (iterations) *iterations = mean.iterations;
                 if (residual) *residual = mean.residual;
                 return mean.outcome;

@@ -1,6 +1,6 @@
 #include <new>
 
-#include "translate.hpp"
+#include "arguments.hpp"
 
 using namespace qtraj;
 using capi::to_c;

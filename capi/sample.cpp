@@ -1,20 +1,10 @@
 #include "arguments.hpp"
-#include "kernel/kernel.hpp"
-#include "qtraj/even_times.hpp"
-#include "qtraj/options.hpp"
-#include "translate.hpp"
+#include "functions/even_times.hpp"
+#include "targets/sampling.hpp"
 
 using namespace qtraj;
 
 namespace {
-
-template <class Real>
-const SampleKernels<Real>& sample_kernels() {
-  if constexpr (sizeof(Real) == sizeof(double))
-    return kernel().of_double;
-  else
-    return kernel().of_float;
-}
 
 // The arrays of a call: where samples go and where their times come from.
 template <class Real>
@@ -45,7 +35,7 @@ Status check_arrays(const Call<Real>& call, bool times_missing) {
       !capi::array_bytes(call.count, 3 * sizeof(Real), rate_bytes))
     return Status::size;
   if (!is_known(outputs.frame)) return Status::option;
-  const capi::Array arrays[] = {
+  const capi::Bytes arrays[] = {
       {call.times.array, time_bytes}, {outputs.q, q_bytes}, {outputs.omega, rate_bytes}, {outputs.alpha, rate_bytes}};
   for (size_t a = 0; a < 4; ++a)
     for (size_t b = a + 1; b < 4; ++b)
@@ -59,8 +49,7 @@ qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_inde
   const Status status = check_arrays(call, times_missing);
   if (status != Status::ok) return capi::to_c(status);
   size_t cursor = 0;
-  return capi::report(
-      sample_kernels<Real>().sample(call.trajectory->core, call.times, call.count, cursor, call.outputs), bad_index);
+  return capi::report(qtraj::sample(call.trajectory->core, call.times, call.count, cursor, call.outputs), bad_index);
 }
 
 // One time by value: of its arrays only two outputs can overlap.
@@ -70,12 +59,12 @@ qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* 
   if (!trajectory || (!outputs.q && !outputs.omega && !outputs.alpha)) return QTRAJ_E_NULL;
   if (!is_known(outputs.frame)) return QTRAJ_E_OPTION;
   if (outputs.omega || outputs.alpha) {
-    const capi::Array q = {outputs.q, 4 * sizeof(Real)}, omega = {outputs.omega, 3 * sizeof(Real)},
+    const capi::Bytes q = {outputs.q, 4 * sizeof(Real)}, omega = {outputs.omega, 3 * sizeof(Real)},
                       alpha = {outputs.alpha, 3 * sizeof(Real)};
     if (capi::overlap(q, omega) || capi::overlap(q, alpha) || capi::overlap(omega, alpha)) return QTRAJ_E_OVERLAP;
   }
   size_t start = 0;
-  return capi::to_c(sample_kernels<Real>().sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
+  return capi::to_c(qtraj::sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
 }
 
 }  // namespace
@@ -115,7 +104,7 @@ qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double
 }
 
 qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out) {
-  return capi::call({capi::output(times_out, count, 1)}, {}, nullptr, [&] {
+  return capi::call({output<1>(times_out, count)}, {}, nullptr, [&] {
     return Outcome{even_times(first, last, count, times_out), kNoIndex};
   });
 }

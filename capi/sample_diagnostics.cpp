@@ -1,16 +1,14 @@
-#include "qtraj/sample_diagnostics.hpp"
-
 #include "arguments.hpp"
-#include "qtraj/options.hpp"
+#include "diagnostics/samples.hpp"
 
 using namespace qtraj;
-using capi::input, capi::optional, capi::output;
+using namespace qtraj::capi;
 
 namespace {
 
-bool is_known_frame(int32_t frame) { return is_known(static_cast<Frame>(frame)); }
-
-Samples samples(const double* times, const double* q_wb, size_t count) { return {times, capi::rows<4>(q_wb), count}; }
+Samples samples_of(const double* times, const double* q_wb, size_t count) {
+  return {input<1>(times, count), input<4>(q_wb, count)};
+}
 
 }  // namespace
 
@@ -19,42 +17,42 @@ extern "C" {
 qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const double* q_wb, size_t count,
                                   double* t_mid_out, double* omega_out, size_t* bad_index) {
   const size_t intervals = count > 0 ? count - 1 : 0;
-  return capi::call({input(times, count, 1), input(q_wb, count, 4), optional(output(t_mid_out, intervals, 1)),
-                     output(omega_out, intervals, 3)},
-                    {count >= 2, is_known_frame(frame)}, bad_index, [&] {
-                      return estimate_omega(samples(times, q_wb, count), static_cast<Frame>(frame),
-                                            capi::output_rows<1>(t_mid_out), capi::output_rows<3>(omega_out));
-                    });
+  const Frame in = static_cast<Frame>(frame);
+  const Samples samples = samples_of(times, q_wb, count);
+  const Output<1> t_mid = output<1>(t_mid_out, intervals);
+  const Output<3> omega = output<3>(omega_out, intervals);
+  return call({samples.times, samples.q_wb, optional(t_mid), omega}, {count >= 2, is_known(in)}, bad_index,
+              [&] { return estimate_omega(samples, in, t_mid, omega); });
 }
 
 qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const double* q_wb, size_t count, double* energy,
                                    size_t* bad_index) {
-  return capi::call({input(times, count, 1), input(q_wb, count, 4), output(energy, 1, 1)},
-                    {count >= 3, is_known_frame(frame)}, bad_index,
-                    [&] { return estimate_energy(samples(times, q_wb, count), static_cast<Frame>(frame), *energy); });
+  const Frame in = static_cast<Frame>(frame);
+  const Samples samples = samples_of(times, q_wb, count);
+  return call({samples.times, samples.q_wb, output<1>(energy, 1)}, {count >= 3, is_known(in)}, bad_index,
+              [&] { return estimate_energy(samples, in, *energy); });
 }
 
 qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const double* q_wb, size_t count,
                                   const double* knots, size_t knot_count, double* jump_out, size_t* bad_index) {
-  return capi::call(
-      {input(times, count, 1), input(q_wb, count, 4), input(knots, knot_count, 1), output(jump_out, knot_count, 3)},
-      {count >= 2, is_known_frame(frame)}, bad_index, [&] {
-        return estimate_jumps(samples(times, q_wb, count), knots, knot_count, static_cast<Frame>(frame),
-                              capi::output_rows<3>(jump_out));
-      });
+  const Frame in = static_cast<Frame>(frame);
+  const Samples samples = samples_of(times, q_wb, count);
+  const Input<1> knot_times = input<1>(knots, knot_count);
+  const Output<3> jumps = output<3>(jump_out, knot_count);
+  return call({samples.times, samples.q_wb, knot_times, jumps}, {count >= 2, is_known(in)}, bad_index,
+              [&] { return estimate_jumps(samples, knots, knot_count, in, jumps); });
 }
 
 qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q, size_t key_count, const double* times,
                                    const double* q_wb, size_t count, double* error_out, size_t* index_out,
                                    size_t* bad_index) {
+  const Samples keys = samples_of(key_times, key_q, key_count), samples = samples_of(times, q_wb, count);
+  const Output<1> error = output<1>(error_out, key_count);
   // sample times are read for every row
-  return capi::call(
-      {input(key_times, key_count, 1), input(key_q, key_count, 4), capi::apart(input(times, count, 1)),
-       input(q_wb, count, 4), output(error_out, key_count, 1), optional(capi::apart(output(index_out, key_count, 1)))},
-      {count >= 1 || key_count == 0}, bad_index, [&] {
-        return keyframe_errors(samples(key_times, key_q, key_count), samples(times, q_wb, count),
-                               capi::output_rows<1>(error_out), index_out);
-      });
+  return call({keys.times, keys.q_wb, distinct(samples.times), samples.q_wb, error,
+               optional(distinct(result(index_out, key_count)))},
+              {count >= 1 || key_count == 0}, bad_index,
+              [&] { return keyframe_errors(keys, samples, error, index_out); });
 }
 
 }  // extern "C"

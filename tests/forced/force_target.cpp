@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "kernel/kernel.hpp"
+#include "targets/targets.hpp"
 
 namespace {
 
@@ -14,7 +14,7 @@ __attribute__((constructor)) void force_target() {
     std::fprintf(stderr, "QTRAJ_TEST_TARGET is not set\n");
     std::abort();
   }
-  if (!qtraj::force_kernel(target) || std::strcmp(qtraj::kernel().target, target) != 0) {
+  if (!qtraj::force_target(target) || std::strcmp(qtraj::target_name(qtraj::target()), target) != 0) {
     std::fprintf(stderr, "cannot run: %s\n", target);
     std::abort();
   }

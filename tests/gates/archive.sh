@@ -1,22 +1,25 @@
 #!/usr/bin/env bash
-# archive.sh qtraj.h libqtraj.a: the only global symbols are the functions of the header; no weak symbol or section group
-# is left that the linker could exchange for a copy of the user's; no constructors run before main; no C++ runtime.
+# archive.sh qtraj.h libqtraj.a: visible from outside are the functions of the header; what members share beside them is
+# hidden and in our namespace; no weak symbol or section group is left that the linker could exchange for a copy of the
+# user's, so nothing made of Eigen is shared; no constructors run before main; no C++ runtime.
 set -euo pipefail
 export LC_ALL=C
 functions=$("$(dirname "$0")/functions.sh" "$1")
+# of each global symbol that is defined: its visibility and its name
+defined=$(readelf -sW "$2" | awk '$5 ~ /GLOBAL|WEAK/ && $7 != "UND" {print $5, $6, $8}' | sort -u)
 
 echo "the header against the archive:"
-diff <(sed 's/$/ T/' <<<"$functions") <(nm --extern-only --defined-only --format=posix "$2" |
-  awk 'NF > 2 {print $1, $2}' | sort)
+diff <(sed 's/^/GLOBAL DEFAULT /' <<<"$functions") <(grep ' DEFAULT ' <<<"$defined")
 
-undefined=$(nm --undefined-only --format=posix "$2" | awk 'NF > 1 {print $1}')
-if grep -E '^(_Z|__cxa|__gxx|_Unwind)' <<<"$undefined"; then
-  echo "needs a C++ runtime"
-  exit 1
-fi
-sections=$(readelf -SW "$2")
-if grep -E ' GROUP | \.(init_array|ctors|tdata|tbss)' <<<"$sections"; then
-  echo "section groups, constructors or thread-local data"
-  exit 1
-fi
-echo "the same"
+fail=0
+report() { echo "$1:"; echo "$2"; fail=1; }
+weak=$(grep '^WEAK' <<<"$defined" || true)
+[ -z "$weak" ] || report "weak symbols" "$weak"
+foreign=$(grep ' HIDDEN ' <<<"$defined" | c++filt | grep -Ev '^GLOBAL HIDDEN qtraj::' || true)
+[ -z "$foreign" ] || report "hidden symbols that are not in our namespace" "$foreign"
+runtime=$(nm --undefined-only --format=posix "$2" | awk 'NF > 1 {print $1}' |
+  grep -E '^(_Zn|_Zd|_ZSt|_ZNSt|_ZTV|__cxa|__gxx|_Unwind)' || true)
+[ -z "$runtime" ] || report "needs a C++ runtime" "$runtime"
+sections=$(readelf -SW "$2" | grep -E ' GROUP | \.(init_array|ctors|tdata|tbss)' || true)
+[ -z "$sections" ] || report "section groups, constructors or thread-local data" "$sections"
+exit $fail

@@ -227,7 +227,7 @@ uint64_t golden_hash() {
 }
 
 bool is_known(const char* target) {
-  for (const char* known : test::kTargets)
+  for (const char* known : test::target_names())
     if (std::strcmp(known, target) == 0) return true;
   return false;
 }
@@ -236,7 +236,7 @@ bool is_known(const char* target) {
 
 int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "--target") == 0 && is_known(argv[2])) {
-    if (!qtraj::force_kernel(argv[2])) {
+    if (!qtraj::force_target(argv[2])) {
       std::printf("NOT RUN: this CPU, or this build, has no kernel \"%s\"\n", argv[2]);
       return kNotHere;
     }

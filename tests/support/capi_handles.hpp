@@ -46,12 +46,12 @@ inline qtraj_status create(int32_t method, const double* times, const float* q, 
                            size_t* bad_index) {
   return qtraj_create_f32(method, times, q, count, out, bad_index);
 }
-inline qtraj_status create_with_options(const qtraj_options* options, const double* times, const double* q, size_t count,
-                                qtraj_trajectory** out, size_t* bad_index) {
+inline qtraj_status create_with_options(const qtraj_options* options, const double* times, const double* q,
+                                        size_t count, qtraj_trajectory** out, size_t* bad_index) {
   return qtraj_create_with_options(options, times, q, count, out, bad_index);
 }
 inline qtraj_status create_with_options(const qtraj_options* options, const double* times, const float* q, size_t count,
-                                qtraj_trajectory** out, size_t* bad_index) {
+                                        qtraj_trajectory** out, size_t* bad_index) {
   return qtraj_create_with_options_f32(options, times, q, count, out, bad_index);
 }
 inline qtraj_status create_with_rates(const qtraj_options* options, int32_t frame, const double* times, const double* q,

@@ -3,21 +3,26 @@
 #define QTRAJ_TESTS_FORCED_KERNEL_HPP
 
 #include <cstring>
+#include <vector>
 
-#include "kernel/kernel.hpp"
+#include "targets/targets.hpp"
 
 namespace test {
 
-const char* const kTargets[] = {"avx512 fused", "avx2 fused",  "neon fused",
-                                "sse4 plain",   "ssse3 plain", "scalar plain"};
+// Those that were compiled.
+inline std::vector<const char*> target_names() {
+  std::vector<const char*> names;
+  for (size_t target = 0; target < qtraj::kTargetCount; ++target) names.push_back(qtraj::target_name(target));
+  return names;
+}
 
 inline bool is_fused(const char* target) { return std::strstr(target, "fused") != nullptr; }
 
 // While it lives, sampling uses the kernel of that name, where this CPU can run it.
 class ForcedKernel {
  public:
-  explicit ForcedKernel(const char* target) : target_(target), runs_here_(qtraj::force_kernel(target)) {}
-  ~ForcedKernel() { qtraj::force_kernel(nullptr); }
+  explicit ForcedKernel(const char* target) : target_(target), runs_here_(qtraj::force_target(target)) {}
+  ~ForcedKernel() { qtraj::force_target(nullptr); }
   ForcedKernel(const ForcedKernel&) = delete;
   ForcedKernel& operator=(const ForcedKernel&) = delete;
 

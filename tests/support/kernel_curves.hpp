@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "support/capi_variants.hpp"
 #include "support/forced_kernel.hpp"
-#include "translate.hpp"
 
 namespace test {
 
@@ -132,7 +132,7 @@ OwnRows<Real> one_by_one(const qtraj_trajectory* trajectory, const Request& requ
 template <class Body>
 void for_every_kernel(Body&& body) {
   static std::set<std::string> named;
-  for (const char* target : kTargets) {
+  for (const char* target : target_names()) {
     const ForcedKernel forced(target);
     if (!forced.runs_here()) {
       if (named.insert(target).second) WARN("not run: no kernel \"" << target << "\" on this CPU or in this build");

@@ -80,7 +80,7 @@ TEST_CASE("every split of a batch in two gives the same bits", "[batch][bits]") 
 }
 
 TEST_CASE("runs of any length in a segment give the bits of each sample alone", "[batch][bits]") {
-  // vectors that are begun together, the most of float on AVX-512, and a few more
+  // vectors that are partial together, the most of float on AVX-512, and a few more
   constexpr size_t kMost = 4 * 16 + 20;
   for_every_call([](const KernelCurve& curve, const Request& request, auto zero) {
     using Real = decltype(zero);

@@ -1,7 +1,7 @@
 #include <cfloat>
 
-#include "kernel/block_rows.hpp"
-#include "qtraj/block_sum.hpp"
+#include "math/block_sum.hpp"
+#include "rows/sums.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

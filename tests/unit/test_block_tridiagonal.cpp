@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "qtraj/block_tridiagonal.hpp"
+#include "math/block_tridiagonal.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

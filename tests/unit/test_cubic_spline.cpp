@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "qtraj/cubic_spline.hpp"
+#include "math/cubic_spline.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "qtraj/elementary.hpp"
+#include "math/trigonometry.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

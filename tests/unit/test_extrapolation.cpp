@@ -1,7 +1,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "qtraj/extrapolation.hpp"
+#include "curve/extrapolation.hpp"
 #include "support/catch.hpp"
 
 namespace {

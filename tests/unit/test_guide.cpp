@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/times.hpp"
+#include "curve/knot_lookup.hpp"
 #include "support/catch.hpp"
 #include "support/kernel_curves.hpp"
 #include "support/random.hpp"

@@ -2,11 +2,11 @@
 #include <cstring>
 #include <vector>
 
-#include "kernel/kernel.hpp"
-#include "kernel/sample.hpp"
+#include "arguments.hpp"
+#include "curve/sample_one.hpp"
 #include "support/forced_kernel.hpp"
 #include "support/trajectory.hpp"
-#include "translate.hpp"
+#include "targets/sampling.hpp"
 
 namespace {
 
@@ -64,6 +64,20 @@ bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b) {
   return std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)) == 0;
 }
 
+// Sampling without vectors, as the kernels have it, but compiled here.
+template <class Arithmetic>
+qtraj::Status evaluate_in_double(const qtraj::Trajectory& trajectory, size_t segment, double elapsed, bool negate,
+                                 const qtraj::SampleOutputs<double>& outputs, size_t row) {
+  return qtraj::row_evaluator<Arithmetic, double, evaluate_in_double<Arithmetic>>(trajectory, outputs)(
+      trajectory, segment, elapsed, negate, outputs, row);
+}
+template <class Arithmetic, class Real>
+qtraj::Outcome one_by_one(const qtraj::Trajectory& trajectory, const qtraj::TimeSource& times, size_t count,
+                          size_t& cursor, const qtraj::SampleOutputs<Real>& outputs) {
+  return qtraj::sample_one_by_one<Arithmetic, Real, evaluate_in_double<Arithmetic>>(trajectory, times, count, cursor,
+                                                                                    outputs);
+}
+
 }  // namespace
 
 TEST_CASE("plain and fused arithmetic give the same curve to rounding", "[kernel]") {
@@ -75,11 +89,11 @@ TEST_CASE("plain and fused arithmetic give the same curve to rounding", "[kernel
       const std::vector<double> times = times_within(keys, 500);
       const double angle = c.settings.method == QTRAJ_LOG_SPLINE ? c.largest_step * static_cast<double>(c.count) : 3.0;
       CAPTURE(c.settings.method, c.largest_step);
-      const auto plain = run<double>(qtraj::sample<qtraj::Plain, double>, trajectory, times);
-      const auto fused = run<double>(qtraj::sample<qtraj::Fused, double>, trajectory, times);
+      const auto plain = run<double>(one_by_one<qtraj::Plain, double>, trajectory, times);
+      const auto fused = run<double>(one_by_one<qtraj::Fused, double>, trajectory, times);
       CHECK(largest_difference(plain, fused) <= 8e-16 * (1 + angle));
-      const auto plain_f32 = run<float>(qtraj::sample<qtraj::Plain, float>, trajectory, times);
-      const auto fused_f32 = run<float>(qtraj::sample<qtraj::Fused, float>, trajectory, times);
+      const auto plain_f32 = run<float>(one_by_one<qtraj::Plain, float>, trajectory, times);
+      const auto fused_f32 = run<float>(one_by_one<qtraj::Fused, float>, trajectory, times);
       CHECK(largest_difference(plain_f32, fused_f32) <= 6e-7 * (1 + angle));
     }
   }
@@ -93,18 +107,19 @@ TEST_CASE("every kernel has the bits of its arithmetic, sample by sample", "[ker
     const test::Trajectory trajectory(c.settings, keys);
     std::vector<double> times = times_within(keys, 700);  // sorted, with runs; then in no order
     for (int i = 0; i < 300; ++i) times.push_back(random.uniform(keys.times.front(), keys.times.back()));
-    const auto plain = run<double>(qtraj::sample<qtraj::Plain, double>, trajectory, times);
-    const auto fused = run<double>(qtraj::sample<qtraj::Fused, double>, trajectory, times);
-    const auto plain_f32 = run<float>(qtraj::sample<qtraj::Plain, float>, trajectory, times);
-    const auto fused_f32 = run<float>(qtraj::sample<qtraj::Fused, float>, trajectory, times);
-    for (const char* target : test::kTargets) {
+    const auto plain = run<double>(one_by_one<qtraj::Plain, double>, trajectory, times);
+    const auto fused = run<double>(one_by_one<qtraj::Fused, double>, trajectory, times);
+    const auto plain_f32 = run<float>(one_by_one<qtraj::Plain, float>, trajectory, times);
+    const auto fused_f32 = run<float>(one_by_one<qtraj::Fused, float>, trajectory, times);
+    for (const char* target : test::target_names()) {
       const test::ForcedKernel forced(target);
       if (!forced.runs_here()) continue;
       CAPTURE(c.settings.method, c.largest_step, target);
       const bool is_fused = forced.is_fused();
-      CHECK(same_bits(run<double>(qtraj::kernel().of_double.sample, trajectory, times), is_fused ? fused : plain));
-      CHECK(
-          same_bits(run<float>(qtraj::kernel().of_float.sample, trajectory, times), is_fused ? fused_f32 : plain_f32));
+      CHECK(same_bits(run<double>(qtraj::sample_double_by_target[qtraj::target()], trajectory, times),
+                      is_fused ? fused : plain));
+      CHECK(same_bits(run<float>(qtraj::sample_float_by_target[qtraj::target()], trajectory, times),
+                      is_fused ? fused_f32 : plain_f32));
     }
   }
 }
@@ -141,14 +156,14 @@ TEST_CASE("slerp between arcs is unit at every distance, opposite points include
     const double c[4] = {-std::cos(gap), 0, std::sin(gap), 0};
     for (const double f : {0.0, 1e-9, 0.25, 0.5}) {
       double q[4];
-      qtraj::slerp_between<Plain>(p, c, qtraj::half_sum_squared<Plain>(p, c), f, q);
+      qtraj::slerp_points<Plain>(p, c, qtraj::half_sum_squared<Plain>(p, c), f, q);
       const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
       CAPTURE(gap, f);
       CHECK(std::abs(norm - 1) <= 1e-15);
       CHECK(std::abs(q[0] - std::cos(f * (3.141592653589793 - gap))) <= 2e-8);
       const float p32[4] = {1, 0, 0, 0}, c32[4] = {static_cast<float>(c[0]), 0, static_cast<float>(c[2]), 0};
       float q32[4];
-      qtraj::slerp_between<Plain>(p32, c32, qtraj::half_sum_squared<Plain>(p32, c32), static_cast<float>(f), q32);
+      qtraj::slerp_points<Plain>(p32, c32, qtraj::half_sum_squared<Plain>(p32, c32), static_cast<float>(f), q32);
       const float norm32 = std::sqrt(q32[0] * q32[0] + q32[1] * q32[1] + q32[2] * q32[2] + q32[3] * q32[3]);
       CHECK(std::abs(norm32 - 1) <= 5e-7f);
     }

@@ -3,11 +3,20 @@
 #include <cstring>
 #include <vector>
 
-#include "qtraj/key_rotations.hpp"
+#include "methods/key_rotations.hpp"
 #include "support/catch.hpp"
 #include "support/forced_kernel.hpp"
 #include "support/guarded.hpp"
 #include "support/random.hpp"
+#include "targets/kernels.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr RowKernel<JacobianRecords> kJacobianKernels[] = QTRAJ_OF_EACH_TARGET(jacobians);
+
+}  // namespace
+}  // namespace qtraj
 
 namespace {
 
@@ -58,8 +67,9 @@ struct Cleaned {
     times.resize(count);
     keys = {times.data(), reinterpret_cast<double(*)[4]>(q.data()), reinterpret_cast<double(*)[4]>(error.data()),
             count};
-    const qtraj::KeyframeInput input = {
-        knots.data(), {given, sizeof(Real) == 4}, {nullptr, false}, {nullptr, false}, count};
+    const Real* none = nullptr;
+    const qtraj::KeyframeInput input = {knots.data(), qtraj::input<4>(given, count), qtraj::input<3>(none, count),
+                                        qtraj::input<3>(none, count), count};
     outcome = qtraj::clean_keyframes(input, keys, report);
   }
 };
@@ -106,7 +116,7 @@ void check_guarded(size_t count) {
 
 template <class Check>
 void for_every_kernel_and_walk(const Check& check) {
-  for (const char* target : test::kTargets) {
+  for (const char* target : test::target_names()) {
     const test::ForcedKernel forced(target);
     if (!forced.runs_here()) continue;
     for (const size_t count : kCounts)
@@ -186,8 +196,8 @@ TEST_CASE("Jacobians are those of each rotation, in every kernel, up to half a t
     size_t wrong = 0;
     for (size_t row = 0; row < count; ++row) {
       const size_t first = row;
-      const qtraj::JacobianRecords arrays = {records[0].r, records[0].jacobian, records[0].turning, kStride};
-      row += qtraj::kernel().rows.jacobians(arrays, row, count);
+      const qtraj::JacobianRecords all = {records[0].r, records[0].jacobian, records[0].turning, kStride};
+      row += qtraj::kJacobianKernels[qtraj::target()](all, row, count);
       for (size_t done = first; done < row; ++done) {
         const Record& record = records[done];
         const qtraj::JacobianAndTurning expected = qtraj::jacobian_and_turning(qtraj::load(record.r));

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "qtraj/end_rate.hpp"
-#include "qtraj/keyframes.hpp"
-#include "qtraj/knots.hpp"
+#include "base/times.hpp"
+#include "methods/end_rate.hpp"
+#include "methods/keyframes.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -23,7 +23,10 @@ struct Storage {
 };
 
 qtraj::KeyframeInput input_of(const test::Keys& keys) {
-  return {keys.times.data(), {keys.q.data(), false}, {nullptr, false}, {nullptr, false}, keys.count()};
+  const size_t count = keys.count();
+  const double* none = nullptr;
+  return {keys.times.data(), qtraj::input<4>(keys.q.data(), count), qtraj::input<3>(none, count),
+          qtraj::input<3>(none, count), count};
 }
 
 }  // namespace

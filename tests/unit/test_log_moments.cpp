@@ -1,8 +1,8 @@
 #include <cfloat>
 
-#include "qtraj/elementary.hpp"
-#include "qtraj/log_moments.hpp"
-#include "qtraj/so3.hpp"
+#include "math/so3.hpp"
+#include "math/trigonometry.hpp"
+#include "means/log_moments.hpp"
 #include "support/capi_means.hpp"
 #include "support/catch.hpp"
 #include "support/kernel_curves.hpp"
@@ -16,7 +16,8 @@ using qtraj::Vector3;
 Quaternion quaternion(const test::Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
 
 qtraj::WeightedOrientations orientations(const capi::Samples<double>& samples) {
-  qtraj::WeightedOrientations result = {{samples.q.data(), false}, {samples.weights_or_null(), false}, samples.count()};
+  qtraj::WeightedOrientations result = {qtraj::input<4>(samples.q.data(), samples.count()),
+                                        qtraj::input<1>(samples.weights_or_null(), samples.count()), samples.count()};
   REQUIRE((result.scale_weights() && result.first_fault().status == qtraj::Status::ok));
   return result;
 }

@@ -1,7 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <cfloat>
 
-#include "qtraj/mean.hpp"
+#include "means/eigen_mean.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -7,11 +7,20 @@
 #include <cmath>
 #include <utility>
 
-#include "kernel/log_rows.hpp"
+#include "rows/logs.hpp"
 #include "support/capi_means.hpp"
 #include "support/guarded.hpp"
 #include "support/kernel_curves.hpp"
 #include "support/random.hpp"
+#include "targets/kernels.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr RowKernel<LogRows> kLogKernels[] = QTRAJ_OF_EACH_TARGET(add_logs);
+
+}  // namespace
+}  // namespace qtraj
 
 namespace {
 
@@ -181,11 +190,13 @@ TEST_CASE("the sums of logs are those of one sample after the other in the kerne
       for (size_t k = 0; k < all.q.size(); k += 4)
         if (random.uniform(0, rare) < 1) std::fill_n(&all.q[k + 1], 3, 0.0);
       for (const double* weights : {static_cast<const double*>(nullptr), all.weights_or_null()}) {
-        const qtraj::SampleArrays arrays = {all.q.data(), weights, all.count(), false, 1.0, false};
+        const size_t count = all.count();
+        const qtraj::SampleRows rows = {qtraj::input<4>(all.q.data(), count), qtraj::input<1>(weights, count), 1.0,
+                                        false};
         const double base[4] = {0, 0.6, 0, 0.8};
         qtraj::LogSums sums, expected;
-        CHECK(qtraj::kernel().rows.add_logs(arrays, 0, base, sums) == all.count());
-        CHECK(one_by_one(arrays, 0, base, expected) == all.count());
+        CHECK(qtraj::kLogKernels[qtraj::target()]({rows, base, &sums}, 0, count) == count);
+        CHECK(one_by_one({rows, base, &expected}, 0, count) == count);
         CHECK(bits_of_sums(sums) == bits_of_sums(expected));
       }
     }

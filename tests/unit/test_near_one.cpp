@@ -3,7 +3,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "kernel/near_one.hpp"
+#include "math/unit_quaternion.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,6 @@
 // SQUAD whose arcs are close together is evaluated by shorter forms: the same curve as by the general ones.
 #include <qtraj.h>
 
-#include "kernel/kernel.hpp"
 #include "support/capi_handles.hpp"
 #include "support/catch.hpp"
 #include "support/kernel_curves.hpp"

@@ -1,16 +1,16 @@
 #include <cfloat>
 
-#include "qtraj/precise.hpp"
+#include "math/double_double.hpp"
 #include "support/catch.hpp"
 #include "support/hard_inputs.hpp"
 
 namespace {
 
-using qtraj::Exact;
+using qtraj::DoubleDouble;
 
-long double wide(const Exact& a) { return static_cast<long double>(a.value) + a.error; }
+long double wide(const DoubleDouble& a) { return static_cast<long double>(a.value) + a.error; }
 
-Exact split(long double x) {
+DoubleDouble split(long double x) {
   const double value = static_cast<double>(x);
   return {value, static_cast<double>(x - value)};
 }
@@ -28,7 +28,7 @@ TEST_CASE("the precise arctangent is within a fifth of eps, for arguments of two
                       y = radius * (exact ? std::sin(angle) : std::sin(static_cast<long double>(angle)));
     if (y < 0) continue;
     const long double reference = std::atan2(y, x);
-    const Exact found = qtraj::precise_atan2(split(y), split(x));
+    const DoubleDouble found = qtraj::precise_atan2(split(y), split(x));
     if (reference == 0) continue;
     worst = std::max(worst, std::abs(wide(found) - reference) / reference);
     worst_rounded = std::max(worst_rounded, std::abs(found.value - reference) / reference);
@@ -72,7 +72,7 @@ TEST_CASE("a precise length is the length in two doubles", "[precise]") {
   for (int i = 0; i < 100000; ++i) {
     const double factor = random.uniform(-1, 1);
     const qtraj::Quaternion a = {factor, random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Exact found = qtraj::precise_length(a);
+    const DoubleDouble found = qtraj::precise_length(a);
     const long double square = static_cast<long double>(a[0]) * a[0] + static_cast<long double>(a[1]) * a[1] +
                                static_cast<long double>(a[2]) * a[2] + static_cast<long double>(a[3]) * a[3];
     worst = std::max(worst, std::abs(wide(found) / std::sqrt(square) - 1));

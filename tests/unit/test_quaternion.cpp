@@ -1,4 +1,4 @@
-#include "qtraj/quaternion.hpp"
+#include "math/quaternion.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -1,4 +1,4 @@
-#include "qtraj/so3.hpp"
+#include "math/so3.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -1,0 +1,61 @@
+// What the arithmetic of every file rests on: IEEE 754 binary32 and binary64, each operation rounded once.
+// Vector files include this header: nothing in it may become a shared symbol, hence the internal linkage.
+#pragma once
+
+#include <cfloat>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__FAST_MATH__)
+#error "qtraj: -ffast-math changes results; the same bits on every CPU are part of the contract"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "qtraj: needs arithmetic without extra precision (FLT_EVAL_METHOD 0; on 32-bit x86: -msse2 -mfpmath=sse)"
+#endif
+
+namespace qtraj {
+
+// Told by the bits: a comparison with NaN would raise FE_INVALID, which a caller may trap.
+static inline bool is_finite(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
+}
+
+static inline bool is_finite(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+// One of two numbers. Vectors of numbers have functions of these names too (simd/wide.hpp), and a mask of lanes for
+// the condition.
+static inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+static inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
+static inline bool any(bool condition) { return condition; }
+static inline bool all(bool condition) { return condition; }
+
+// A power of two that brings a finite value other than 0 to [1, 2); one from 2^1023 on to [2, 4), and one below 2^-1022
+// to [2^-51, 2), as there is no larger power.
+static inline double normalizing_scale(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  const uint64_t exponent = (bits >> 52) & 0x7ff;
+  bits = (exponent == 2046 ? 1 : 2046 - exponent) << 52;
+  double scale;
+  std::memcpy(&scale, &bits, sizeof scale);
+  return scale;
+}
+
+// Nearest integer for |value| < 2^51, ties to even: no libm call and no conversion. Where the caller has set another
+// rounding mode, still an integer within one half. Number: double, or a vector of it.
+template <class Number>
+static inline Number round_to_integer(Number value) {
+  const Number shift(6755399441055744.0);  // 1.5 * 2^52: its last bit is worth 1
+  const Number half(0.5), one(1.0);
+  const Number rounded = (value + shift) - shift;
+  const Number not_above = select(half < rounded - value, rounded - one, rounded);
+  return select(half < value - rounded, rounded + one, not_above);
+}
+
+}  // namespace qtraj

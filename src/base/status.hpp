@@ -1,0 +1,40 @@
+// How a call ended.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "qtraj.h"
+
+namespace qtraj {
+
+// The codes of qtraj.h by shorter names: the C layer returns them as they are.
+enum class Status : int32_t {
+  ok = QTRAJ_OK,
+  null = QTRAJ_E_NULL,
+  count = QTRAJ_E_COUNT,
+  size = QTRAJ_E_SIZE,
+  option = QTRAJ_E_OPTION,
+  buffer = QTRAJ_E_BUFFER,
+  overlap = QTRAJ_E_OVERLAP,
+  no_memory = QTRAJ_E_NO_MEMORY,
+  not_finite = QTRAJ_E_NOT_FINITE,
+  zero_norm = QTRAJ_E_ZERO_NORM,
+  time_order = QTRAJ_E_TIME_ORDER,
+  time_range = QTRAJ_E_TIME_RANGE,
+  negative_weight = QTRAJ_E_NEGATIVE_WEIGHT,
+  not_closed = QTRAJ_E_NOT_CLOSED,
+  not_rotation = QTRAJ_E_NOT_ROTATION,
+  ambiguous = QTRAJ_E_AMBIGUOUS,
+  no_convergence = QTRAJ_E_NO_CONVERGENCE,
+};
+
+constexpr size_t kNoIndex = SIZE_MAX;
+
+// A status and the index of the element at fault; kNoIndex where no single element is.
+struct Outcome {
+  Status status = Status::ok;
+  size_t index = kNoIndex;
+};
+
+}  // namespace qtraj

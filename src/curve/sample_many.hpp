@@ -1,0 +1,307 @@
+// Sampling many times at once, in vectors. Times are taken in chunks. A chunk of increasing times that stays for a
+// while in each segment is sampled run by run, the segment's numbers the same in all lanes; in any other chunk each
+// lane has a segment of its own. Both do to each sample what sample.hpp does, to the last bit, so that it does not
+// matter which way a chunk goes. Rows that vectors cannot do (times outside the knots or not finite, rates that
+// overflow) are done again one at a time.
+#pragma once
+
+#include "curve/chunk_times.hpp"
+#include "curve/sample_one.hpp"
+#include "curve/wide_output.hpp"
+
+namespace qtraj {
+namespace {
+
+// Segments of times within the knots, whole vectors, as find_segment has them. Each halving step is done for all times
+// before the next: in one search after the other every gather waits for the one before.
+[[maybe_unused]] QTRAJ_NOINLINE void find_segments(const KnotIndex& index, const double* times, size_t count,
+                                                   int64_t* found) {
+  const IndexTag tag;
+  const Wide<double> start(index.guide.start), scale(index.guide.scale), shift(Guide::kShift);
+  const auto* first_candidate = reinterpret_cast<const int64_t*>(index.guide.first_candidate);
+  for (size_t i = 0; i < count; i += Wide<double>::kLanes) {
+    const Wide<double> shifted = (Wide<double>::load(times + i) - start) * scale + shift;
+    const Indices bucket = hn::And(hn::BitCast(tag, shifted.lanes), hn::Set(tag, Guide::kBucketBits));
+    hn::StoreU(gather(first_candidate, bucket), tag, found + i);
+  }
+  for (size_t left = index.guide.candidates; left > 1; left -= left / 2) {
+    const Indices half = hn::Set(tag, static_cast<int64_t>(left / 2));
+    for (size_t i = 0; i < count; i += Wide<double>::kLanes) {
+      const Indices low = hn::LoadU(tag, found + i), middle = hn::Add(low, half);
+      const WideMask<double> is_past = gather(index.knots, middle) <= Wide<double>::load(times + i);
+      hn::StoreU(hn::IfThenElse(hn::RebindMask(tag, is_past.lanes), middle, low), tag, found + i);
+    }
+  }
+}
+
+// kSample and kSampleAt: those of sample_one.hpp in the same arithmetic.
+template <class Evaluator, class Arithmetic, class Real, bool kWithRates, SampleFunction<Real> kSample,
+          SampleAtFunction<Real> kSampleAt>
+class Batch {
+ public:
+  Batch(const Evaluator& evaluator, const Trajectory& trajectory, const TimeReader& source, size_t count,
+        const SampleOutputs<Real>& outputs)
+      : evaluator_(evaluator),
+        trajectory_(trajectory),
+        request_(rate_request(outputs)),
+        index_(knot_index(trajectory)),
+        segments_(segments_of<Segment>(trajectory)),
+        source_(source),
+        times_(source, count),
+        count_(count),
+        outputs_(outputs) {}
+
+  Outcome sample(size_t& cursor) {
+    Outcome outcome = {Status::ok, kNoIndex};
+    for (first_row_ = 0; first_row_ < count_; first_row_ += kChunk) {
+      const size_t rows = count_ - first_row_ < kChunk ? count_ - first_row_ : kChunk;
+      has_marks_ = false;
+      if (times_.read(first_row_, rows) && sample_runs(cursor)) {
+        if (has_marks_) sample_again(rows, cursor, outcome);
+      } else if constexpr (kScattersInVectors) {
+        const bool all_inside = times_.clamp(index_.knots[0], index_.knots[index_.segments]);
+        sample_scattered(rows);
+        if (!all_inside || has_marks_) sample_again(rows, cursor, outcome);
+      } else {
+        sample_without_vectors(rows, cursor, outcome);
+      }
+    }
+    return outcome;
+  }
+
+ private:
+  using Segment = typename Evaluator::template SegmentOf<double>;
+  using WideSegment = typename Evaluator::template SegmentOf<Wide<Real>>;
+  using Number = Wide<Real>;
+  using Partial = typename Evaluator::template Partial<Number>;
+  using Time = Wide<double>;
+  static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;
+  using RunMode = SampleMode<kWithRates, true>;
+  using ScatteredMode = SampleMode<kWithRates, false>;
+  // Vectors of a run that are partial before the first of them is finished: each step of a sample waits for the one
+  // before, and a processor has too few instructions under way to fill that time with the next vector's.
+  static constexpr size_t kInterleaved = Evaluator::template kInTwoSteps<kWithRates> ? 32 / kTimeLanes : 1;
+  static constexpr size_t kFields = sizeof(Segment) / sizeof(double);
+  // Whether a segment for each lane is worth gathering.
+  static constexpr bool kScattersInVectors = kTimeLanes > 2 || kWithRates ||
+                                             Evaluator::kWork > (std::is_same_v<Real, double> ? 2 : 1);
+
+  // ---- Sorted times: run by run ----
+
+  // Rows from which a run takes less time than as many with a segment for each lane. Half a vector, but a whole one
+  // with rates and where half would be a single row.
+  static constexpr size_t kLeastRun = kWithRates || kLanes < 4 ? kLanes : kLanes / 2;
+
+  // False, and nothing done, where runs would on average be shorter or times are outside the knots.
+  bool sample_runs(size_t& cursor) {
+    const size_t rows = times_.rows();
+    if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;
+    const size_t first = find_segment(index_, times_[0], cursor);
+    const size_t last = find_segment(index_, times_[rows - 1], first);
+    cursor = last;
+    if ((last - first) * kLeastRun >= rows) return false;
+    for (size_t segment = first, begin = 0; segment <= last; ++segment) {
+      const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
+      if (begin < end) sample_run(segment, begin, end);
+      begin = end;
+    }
+    return true;
+  }
+
+  // The times from `begin` to `end`.
+  void sample_run(size_t segment, size_t begin, size_t end) {
+    const Segment& record = segments_[segment];
+    WideSegment wide;
+    Doubles<Real> scales;
+    broadcast(record, wide, scales);
+    const Time knot(index_.knots[segment]), offset(Evaluator::offset(record));
+    if constexpr (kWithRates) {
+      sample_with_rates(begin, end, wide, scales, &knot, offset);
+    } else {
+      const auto start_at = [&](size_t i, Partial& partial) {
+        const Number x = position(i, end, knot, scales.part[0], offset);
+        times_.prefetch(i);
+        evaluator_.template start<RunMode>(wide, x, partial);
+        return x;
+      };
+      for (size_t group = begin; group < end; group += kInterleaved * kLanes) {
+        const size_t left = (end - group + kLanes - 1) / kLanes;
+        const size_t vectors = kInterleaved == 1 || left >= kInterleaved ? kInterleaved : left;
+        Number x[kInterleaved];
+        Partial partial[kInterleaved];
+        for (size_t k = 0; k < vectors; ++k) x[k] = start_at(group + k * kLanes, partial[k]);
+        for (size_t k = 0; k < vectors; ++k) finish<RunMode>(wide, x[k], partial[k], scales, group + k * kLanes, end);
+      }
+    }
+  }
+
+  // One segment in all lanes.
+  void broadcast(const Segment& record, WideSegment& wide, Doubles<Real>& scales) const {
+    const auto* fields = reinterpret_cast<const double*>(&record);
+    read_segment<Number>([&](size_t k) { return Number(static_cast<Real>(fields[k])); }, wide);
+    for (Time& part : scales.part) part = Time(Evaluator::scale(record));
+  }
+
+  // The times from i on, up to `end`, in units of a segment.
+  QTRAJ_INLINE Number position(size_t i, size_t end, Time knot, Time scale, Time offset) const {
+    double rest[kLanes];
+    const double* times = times_.from(i);
+    if (end - i < kLanes) {
+      times_.fill_up(i, end, rest);
+      times = rest;
+    }
+    Doubles<Real> x;
+    for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
+      x.part[part] = parameter<Arithmetic>(Time::load(times + part * kTimeLanes) - knot, scale, offset);
+    return x.rounded();
+  }
+
+  // ---- Other times: a segment for each lane ----
+
+  QTRAJ_NOINLINE void sample_scattered(size_t rows) {
+    find_segments(index_, times_.from(0), rows + kLanes - kTimeLanes, found_);
+    WideSegment wide;
+    Doubles<Real> scales;
+    if constexpr (kWithRates) {
+      sample_with_rates(0, rows, wide, scales, nullptr, Time(1.0));
+    } else {
+      for (size_t i = 0; i < rows; i += kLanes) {
+        Doubles<Real> x;
+        load_segments(i, wide, scales, x);
+        times_.prefetch(i);
+        Partial partial;
+        evaluator_.template start<ScatteredMode>(wide, x.rounded(), partial);
+        finish<ScatteredMode>(wide, x.rounded(), partial, scales, i, rows);
+      }
+    }
+  }
+
+  // With rates, where the evaluation dwarfs all else and its code is most of the library's, one loop is for both: for a
+  // run, whose segment is in all lanes already and starts at `knot`, and, without a knot, for a segment in each lane.
+  QTRAJ_NOINLINE void sample_with_rates(size_t begin, size_t end, WideSegment& wide, Doubles<Real>& scales,
+                                        const Time* knot, Time offset) {
+    const size_t at_once = knot ? kInterleaved : 1;
+    for (size_t group = begin; group < end; group += at_once * kLanes) {
+      const size_t left = (end - group + kLanes - 1) / kLanes, vectors = left < at_once ? left : at_once;
+      Number x[kInterleaved];
+      Partial partial[kInterleaved];
+      for (size_t k = 0; k < vectors; ++k) {
+        const size_t i = group + k * kLanes;
+        Doubles<Real> of_segments;
+        if (knot) {
+          x[k] = position(i, end, *knot, scales.part[0], offset);
+        } else {
+          load_segments(i, wide, scales, of_segments);
+          x[k] = of_segments.rounded();
+        }
+        times_.prefetch(i);
+        evaluator_.template start<ScatteredMode>(wide, x[k], partial[k]);
+      }
+      for (size_t k = 0; k < vectors; ++k)
+        finish<ScatteredMode>(wide, x[k], partial[k], scales, group + k * kLanes, end);
+    }
+  }
+
+  // The segments found for a vector of times, and these in units of their segments.
+  QTRAJ_INLINE void load_segments(size_t i, WideSegment& wide, Doubles<Real>& scales, Doubles<Real>& x) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      static_assert(sizeof(WideSegment) == kFields * sizeof(Time));
+      load_fields(i, reinterpret_cast<Time(&)[kFields]>(wide), scales.part[0], x.part[0]);
+    } else {
+      Time fields[Doubles<Real>::kParts][kFields];
+      for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
+        load_fields(i + part * kTimeLanes, fields[part], scales.part[part], x.part[part]);
+      read_segment<Number>([&](size_t k) { return Doubles<Real>{{fields[0][k], fields[1][k]}}.rounded(); }, wide);
+    }
+  }
+  QTRAJ_INLINE void load_fields(size_t at, Time (&fields)[kFields], Time& scale, Time& x) const {
+    const double* records[kTimeLanes];
+    for (size_t lane = 0; lane < kTimeLanes; ++lane)
+      records[lane] = reinterpret_cast<const double*>(segments_ + found_[at + lane]);
+    load_records(records, fields);
+    scale = fields[0];
+    const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
+    x = parameter<Arithmetic>(Time::load(times_.from(at)) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
+  }
+
+  // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and
+  // corrected later.
+  template <class Mode>
+  QTRAJ_INLINE void finish(const WideSegment& segment, Number x, const Partial& partial, const Doubles<Real>& scales,
+                           size_t i, size_t end) {
+    const size_t row = first_row_ + i, rows = end - i < kLanes ? end - i : kLanes;
+    const size_t left = count_ - row;
+    WideRow<Real> wide;
+    if constexpr (kWithRates) {
+      Rates<Number> rates;
+      evaluator_.template finish_rates<Mode>(segment, x, partial, request_.alpha, wide.q, rates);
+      if (!finish_rates<Arithmetic, Evaluator::kSmallRates>(wide.q, rates, scales, request_, wide)) mark_again(i, rows);
+      if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
+      if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
+      if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);
+    } else {
+      evaluator_.template finish<Mode>(segment, x, partial, wide.q);
+      write_wide(wide.q, outputs_.q, row, rows, left);
+    }
+  }
+
+  // ---- Rows done again ----
+
+  QTRAJ_NOINLINE void mark_again(size_t i, size_t rows) {
+    if (!has_marks_)
+      for (bool& mark : marked_) mark = false;
+    has_marks_ = true;
+    for (size_t k = i; k < i + rows; ++k) marked_[k] = true;
+  }
+
+  QTRAJ_NOINLINE void sample_again(size_t rows, size_t& cursor, Outcome& outcome) {
+    for (size_t i = 0; i < rows; ++i) {
+      const double time = source_[first_row_ + i];
+      const bool inside = is_finite(time) && time >= index_.knots[0] && time <= index_.knots[index_.segments];
+      if (inside && !(has_marks_ && marked_[i])) continue;
+      const size_t row = first_row_ + i;
+      keep_first(kSampleAt(trajectory_, time, cursor, from_row(outputs_, row)), row, outcome);
+    }
+  }
+
+  void sample_without_vectors(size_t rows, size_t& cursor, Outcome& outcome) {
+    const TimeSource times = {times_.from(0), 0, 0};
+    const Outcome chunk = kSample(trajectory_, times, rows, cursor, from_row(outputs_, first_row_));
+    keep_first(chunk.status, first_row_ + chunk.index, outcome);
+  }
+
+  const Evaluator evaluator_;
+  const Trajectory& trajectory_;
+  const RateRequest request_;
+  const KnotIndex index_;
+  const Segment* segments_;
+  const TimeReader& source_;
+  ChunkTimes<kLanes> times_;
+  const size_t count_;
+  const SampleOutputs<Real>& outputs_;
+
+  // Of the chunk.
+  size_t first_row_ = 0;
+  bool has_marks_ = false;  // some row inside the knots is marked to be done again
+  bool marked_[kChunk];
+  int64_t found_[kChunk + kLanes];  // segments of the times
+};
+
+template <class Arithmetic, class Real, SampleFunction<Real> kSample, SampleAtFunction<Real> kSampleAt>
+Outcome sample_many(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
+                    const SampleOutputs<Real>& outputs) {
+  if (count < Wide<Real>::kLanes) return kSample(trajectory, source, count, cursor, outputs);
+  if (std::is_same_v<Real, float> && trajectory.range == ExponentRange::any)
+    return kSample(trajectory, source, count, cursor, outputs);
+  return with_evaluator_for<Arithmetic>(trajectory, outputs, [&](const auto& evaluator, auto with_rates) {
+    using Evaluator = std::decay_t<decltype(evaluator)>;
+    constexpr bool kWithRates = decltype(with_rates)::value;
+    const TimeReader times(source, count);
+    return Batch<Evaluator, Arithmetic, Real, kWithRates, kSample, kSampleAt>(evaluator, trajectory, times, count,
+                                                                              outputs)
+        .sample(cursor);
+  });
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,217 @@
+// Sampling one time after the other: each finds its segment and is evaluated there. The reference that the vectors of
+// sample_many.hpp equal bit for bit, and what they leave to it: rows at fault, times outside the knots, small batches.
+#pragma once
+
+#include <type_traits>
+
+#include "curve/evaluate_arc.hpp"
+#include "curve/evaluate_nested_arcs.hpp"
+#include "curve/evaluate_normalized.hpp"
+#include "curve/evaluate_rotation_vector.hpp"
+#include "curve/extrapolation.hpp"
+#include "curve/knot_lookup.hpp"
+#include "curve/sample_output.hpp"
+
+namespace qtraj {
+namespace {
+
+// ---- Which evaluator ----
+
+// Calls `with` with the evaluator of a trajectory's segments for samples of type Real. Curves of any range are not
+// sampled in float.
+template <class Arithmetic, size_t Degree, class Real, class With>
+auto with_rotation_vector(ExponentRange range, const With& with) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (range == ExponentRange::any) return with(LongRotationVectorEvaluator<Arithmetic, Degree>(range));
+  return with(RotationVectorEvaluator<Arithmetic, Degree>(range));
+}
+template <class Arithmetic, class Real, class With>
+auto with_evaluator(const Trajectory& trajectory, const With& with) {
+  const ExponentRange range = trajectory.range;
+  switch (trajectory.kind) {
+    case SegmentKind::arc:
+      return with(ArcEvaluator<Arithmetic>(range));
+    case SegmentKind::nested_arcs:
+      return with(NestedArcsEvaluator<Arithmetic>(range));
+    case SegmentKind::normalized:
+      return with(NormalizedEvaluator<Arithmetic, 1>(range));
+    case SegmentKind::normalized_quintic:
+      return with(NormalizedEvaluator<Arithmetic, 5>(range));
+    case SegmentKind::rotation_vector_quintic:
+      return with_rotation_vector<Arithmetic, 5, Real>(range, with);
+    case SegmentKind::rotation_vector:
+      break;
+  }
+  return with_rotation_vector<Arithmetic, 3, Real>(range, with);
+}
+
+// Calls `with(evaluator, with_rates)`, the latter std::true_type where the outputs of a call ask for rates.
+template <class Arithmetic, class Real, class With>
+auto with_evaluator_for(const Trajectory& trajectory, const SampleOutputs<Real>& outputs, const With& with) {
+  return with_evaluator<Arithmetic, Real>(trajectory, [&](const auto& evaluator) {
+    if (outputs.omega || outputs.alpha) return with(evaluator, std::true_type());
+    return with(evaluator, std::false_type());
+  });
+}
+
+// ---- One segment ----
+
+template <class Real>
+Status write_fault(Status status, const SampleOutputs<Real>& outputs, size_t i) {
+  write_row<true>(nan_row<Real>(), outputs, i);
+  return status;
+}
+
+// A segment's fields as other numbers: `read` makes each from its place in the row. Segments hold nothing but values of
+// one type. The first field, the scale of time, is left out: it may be past the range of float. Written in place: a
+// copy of vectors goes through memory.
+template <class Value, class To, class Read>
+void read_segment(const Read& read, To& segment) {
+  static_assert(std::is_standard_layout_v<To> && sizeof(To) % sizeof(Value) == 0);
+  auto* fields = reinterpret_cast<Value*>(&segment);
+  fields[0] = Value(Element<Value>(0));
+  each_of<sizeof(To) / sizeof(Value) - 1>([&](size_t k) { fields[1 + k] = read(1 + k); });
+}
+
+// Samples a segment up to its very ends and writes the row, NaN where a rate overflows; `negate` changes the sign of q.
+template <class Real>
+using EvaluateRow = Status(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
+                           const SampleOutputs<Real>& outputs, size_t row);
+
+// A function by itself for each kind of evaluator: in one for all, every sample would pay for the registers that the
+// largest needs.
+template <class Evaluator, class Arithmetic, bool kWithRates, class Real>
+QTRAJ_NOINLINE Status evaluate_row(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
+                                   const SampleOutputs<Real>& outputs, size_t i) {
+  using Mode = SampleMode<kWithRates, true>;
+  const Evaluator evaluator(trajectory.range);
+  const auto& record = segments_of<typename Evaluator::template SegmentOf<double>>(trajectory)[segment];
+  const double scale = Evaluator::scale(record);
+  const Real x = static_cast<Real>(parameter<Arithmetic>(elapsed, scale, Evaluator::offset(record)));
+  typename Evaluator::template SegmentOf<Real> converted;
+  if constexpr (std::is_same_v<Real, float>) {
+    const auto* fields = reinterpret_cast<const double*>(&record);
+    read_segment<Real>([&](size_t k) { return static_cast<Real>(fields[k]); }, converted);
+  }
+  const auto& in_real = [&]() -> const auto& {
+    if constexpr (std::is_same_v<Real, float>)
+      return converted;
+    else
+      return record;
+  }
+  ();
+
+  SampleRow<Real> row;
+  typename Evaluator::template Partial<Real> partial;
+  evaluator.template start<Mode>(in_real, x, partial);
+  if constexpr (kWithRates) {
+    const RateRequest request = rate_request(outputs);
+    Rates<Real> rates;
+    evaluator.template finish_rates<Mode>(in_real, x, partial, request.alpha, row.q, rates);
+    if (!finish_rates<Arithmetic>(row.q, rates, scale, request, row))
+      return write_fault(Status::not_finite, outputs, i);
+  } else {
+    evaluator.template finish<Mode>(in_real, x, partial, row.q);
+  }
+  if (negate) each_of<4>([&](size_t k) { row.q[k] = -row.q[k]; });
+  write_row<kWithRates>(row, outputs, i);
+  return Status::ok;
+}
+
+// A row of float sampled in double and rounded: for curves whose coefficients may be past the range of float.
+template <EvaluateRow<double> kEvaluateDouble>
+Status round_row(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
+                 const SampleOutputs<float>& outputs, size_t i) {
+  SampleRow<double> row;
+  const SampleOutputs<double> in_double = {row.q, outputs.omega ? row.omega : nullptr,
+                                           outputs.alpha ? row.alpha : nullptr, outputs.frame};
+  const Status status = kEvaluateDouble(trajectory, segment, elapsed, negate, in_double, 0);
+  if (status != Status::ok) return write_fault(status, outputs, i);
+  const auto fits = [](double rate) { return magnitude(rate) <= largest_of<float>(); };
+  for (size_t k = 0; k < 3; ++k)
+    if ((in_double.omega && !fits(row.omega[k])) || (in_double.alpha && !fits(row.alpha[k])))
+      return write_fault(Status::not_finite, outputs, i);
+  write_row<true>(row, outputs, i);
+  return Status::ok;
+}
+
+// The one for a trajectory and the outputs of a call. `kEvaluateDouble`: for float, the same in double.
+template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
+EvaluateRow<Real>* row_evaluator(const Trajectory& trajectory, const SampleOutputs<Real>& outputs) {
+  if constexpr (std::is_same_v<Real, float>)
+    if (trajectory.range == ExponentRange::any) return round_row<kEvaluateDouble>;
+  return with_evaluator_for<Arithmetic>(trajectory, outputs,
+                                        [](const auto& evaluator, auto with_rates) -> EvaluateRow<Real>* {
+                                          using Evaluator = std::decay_t<decltype(evaluator)>;
+                                          return evaluate_row<Evaluator, Arithmetic, decltype(with_rates)::value, Real>;
+                                        });
+}
+
+// ---- One time ----
+
+template <class Real>
+Status sample_inside(const Trajectory& trajectory, double time, bool negate, size_t& cursor,
+                     const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
+  const KnotIndex index = knot_index(trajectory);
+  const size_t segment = find_segment(index, time, cursor);
+  cursor = segment;
+  return evaluate(trajectory, segment, time - index.knots[segment], negate, outputs, i);
+}
+
+// A finite time before the first knot or after the last.
+template <class Real>
+QTRAJ_NOINLINE Status sample_outside(const Trajectory& trajectory, double time, size_t& cursor,
+                                     const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
+  const Extrapolation& side = time < trajectory.before.knot ? trajectory.before : trajectory.after;
+  if (side.rule == Extrapolate::error) return write_fault(Status::time_range, outputs, i);
+  if (side.rule == Extrapolate::periodic) {
+    const WrappedTime wrapped = wrap_time(trajectory, time);
+    return sample_inside(trajectory, wrapped.time, wrapped.negate, cursor, outputs, i, evaluate);
+  }
+  const RateRequest request = rate_request(outputs);
+  SampleRow<Real> row;
+  double q[4];
+  extrapolate(side, time, q);
+  each_of<4>([&](size_t k) { row.q[k] = static_cast<Real>(q[k]); });
+  const auto& omega = request.frame == Frame::world ? side.omega_world : side.omega_body;
+  if (!extrapolated_rates(omega, request, row)) return write_fault(Status::not_finite, outputs, i);
+  write_row<true>(row, outputs, i);
+  return Status::ok;
+}
+
+// Samples and writes row i, NaN where it is at fault.
+template <class Real>
+QTRAJ_INLINE Status sample_row(const Trajectory& trajectory, double time, size_t& cursor,
+                               const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
+  if (!is_finite(time)) return write_fault(Status::not_finite, outputs, i);
+  if (time < trajectory.before.knot || time > trajectory.after.knot)
+    return sample_outside(trajectory, time, cursor, outputs, i, evaluate);
+  return sample_inside(trajectory, time, false, cursor, outputs, i, evaluate);
+}
+
+// ---- Calls ----
+
+// Of several rows, the outcome is that of the first at fault.
+inline void keep_first(Status status, size_t i, Outcome& outcome) {
+  if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
+}
+
+template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
+Status sample_one(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
+  return sample_row(trajectory, time, cursor, outputs, 0,
+                    row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs));
+}
+
+template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
+Outcome sample_one_by_one(const Trajectory& trajectory, const TimeSource& source, size_t count, size_t& cursor,
+                          const SampleOutputs<Real>& outputs) {
+  EvaluateRow<Real>* const evaluate = row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs);
+  const TimeReader times(source, count);
+  Outcome outcome = {Status::ok, kNoIndex};
+  for (size_t i = 0; i < count; ++i)
+    keep_first(sample_row(trajectory, times[i], cursor, outputs, i, evaluate), i, outcome);
+  return outcome;
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,131 @@
+#include "diagnostics/curve.hpp"
+
+#include <cfloat>
+#include <cmath>
+
+#include "diagnostics/curve_pieces.hpp"
+#include "diagnostics/golden_section.hpp"
+#include "math/so3.hpp"
+
+namespace qtraj {
+namespace {
+
+double shortest_step(const Trajectory& trajectory) {
+  const double* knots = knots_of(trajectory);
+  double shortest = DBL_MAX;
+  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) shortest = std::min(shortest, knots[i + 1] - knots[i]);
+  return shortest;
+}
+
+// Sum of the integrals of (size sqrt(h))^2 or of size h over u.
+Outcome integrate(const Trajectory& trajectory, Quantity quantity, double& result) {
+  const bool squared = quantity == Quantity::alpha;
+  // over very short segments squares pass the range of double that their integral is still in
+  const double scale = shortest_step(trajectory) < 1e-50 ? 0x1p-40 : 1.0;
+  const auto integrand_of = [&](size_t segment) {
+    const SegmentCurve curve = {trajectory, segment, quantity};
+    return Integrand{curve, squared ? scale * std::sqrt(curve.h()) : curve.h(), squared};
+  };
+  double sum = 0;
+  const Outcome outcome =
+      visit_pieces(trajectory, 1e-13, integrand_of, [&](const Integrand&, const Interval&, double integral) {
+        sum += integral;
+        return true;
+      });
+  if (outcome.status != Status::ok) return outcome;
+  if (squared && sum > DBL_MAX * scale * scale) return {Status::not_finite, kNoIndex};
+  result = squared ? sum / (scale * scale) : sum;
+  return {};
+}
+
+// Raises `peak` to the maximum of the curve over a piece.
+bool search_piece(const SegmentCurve& curve, const Interval& piece, Peak& peak) {
+  constexpr int kSamples = 12;
+  double at[kSamples], values[kSamples];
+  for (int k = 0; k < kSamples; ++k) {
+    at[k] = k + 1 < kSamples ? piece.from + piece.width() * k / (kSamples - 1) : piece.to;
+    if (!curve.size(at[k], values[k])) return false;
+    if (values[k] > peak.value) peak = {values[k], curve.time(at[k])};
+  }
+  const auto size = [&](double u, double& result) { return curve.size(u, result); };
+  for (int k = 0; k < kSamples; ++k) {
+    const int before = std::max(k - 1, 0), after = std::min(k + 1, kSamples - 1);
+    const bool is_end = k == 0 || k == kSamples - 1;
+    const bool is_maximum = values[k] >= values[before] && values[k] >= values[after];
+    if ((!is_end && !is_maximum) || values[k] <= 0.25 * peak.value) continue;
+    double best = peak.value, best_at = 0;
+    if (!narrow_maximum({at[before], at[after]}, size, best, best_at)) return false;
+    if (best > peak.value) peak = {best, curve.time(best_at)};
+  }
+  return true;
+}
+
+Outcome find_peak(const Trajectory& trajectory, Quantity quantity, Peak& peak) {
+  peak = {0.0, knots_of(trajectory)[0]};
+  const auto integrand_of = [&](size_t segment) { return Integrand{{trajectory, segment, quantity}, 1.0, false}; };
+  return visit_pieces(trajectory, 1e-6, integrand_of, [&](const Integrand& integrand, const Interval& piece, double) {
+    return search_piece(integrand.curve, piece, peak);
+  });
+}
+
+// A rate on both sides of a knot, right minus left in a frame; false where it could overflow on the way.
+bool jump(const SegmentMotion& left, const Vector3& left_rate, const SegmentMotion& right, const Vector3& right_rate,
+          Frame frame, double* out) {
+  constexpr double kLimit = 1e307;
+  if (largest_component(left_rate) > kLimit || largest_component(right_rate) > kLimit) return false;
+  const auto in_frame = [&](const SegmentMotion& motion, const Vector3& rate) -> Vector3 {
+    return frame == Frame::world ? to_world(load(motion.q), rate) : rate;
+  };
+  const Vector3 difference = in_frame(right, right_rate) - in_frame(left, left_rate);
+  for (int k = 0; k < 3; ++k) out[k] = difference[k];
+  return true;
+}
+
+// The jumps between two segments; outputs may be null.
+bool jumps_between(const Trajectory& trajectory, size_t before, size_t after, Frame frame, double* omega_jump,
+                   double* alpha_jump) {
+  const double* knots = knots_of(trajectory);
+  const bool omega = omega_jump != nullptr, alpha = alpha_jump != nullptr;
+  SegmentMotion left, right;
+  return segment_motion(trajectory, before, knots[before + 1] - knots[before], omega, alpha, left) &&
+         segment_motion(trajectory, after, 0.0, omega, alpha, right) &&
+         (!omega || jump(left, load(left.omega), right, load(right.omega), frame, omega_jump)) &&
+         (!alpha || jump(left, load(left.alpha), right, load(right.alpha), frame, alpha_jump));
+}
+
+void fill(double* row, double value) {
+  for (int k = 0; row && k < 3; ++k) row[k] = value;
+}
+
+}  // namespace
+
+Outcome energy(const Trajectory& trajectory, double& result) { return integrate(trajectory, Quantity::alpha, result); }
+
+Outcome total_angle(const Trajectory& trajectory, double& result) {
+  return integrate(trajectory, Quantity::omega, result);
+}
+
+Outcome peak_omega(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::omega, peak); }
+
+Outcome peak_alpha(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::alpha, peak); }
+
+Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
+  const size_t last = trajectory.key_count - 1;
+  Outcome outcome;
+  for (size_t knot = 0; knot <= last; ++knot) {
+    double* omega_row = omega_jump ? omega_jump + 3 * knot : nullptr;
+    double* alpha_row = alpha_jump ? alpha_jump + 3 * knot : nullptr;
+    fill(omega_row, 0.0);
+    fill(alpha_row, 0.0);
+    const bool inner = knot > 0 && knot < last;
+    if (!inner && !trajectory.closed) continue;
+    const size_t before = knot == 0 ? last - 1 : knot - 1, after = knot == last ? 0 : knot;
+    if (jumps_between(trajectory, before, after, frame, omega_row, alpha_row)) continue;
+    fill(omega_row, std::nan(""));
+    fill(alpha_row, std::nan(""));
+    if (outcome.status == Status::ok) outcome = {Status::not_finite, knot};
+  }
+  return outcome;
+}
+
+}  // namespace qtraj

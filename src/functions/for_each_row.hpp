@@ -1,0 +1,150 @@
+// Rows of a caller's arrays, read and written one by one as double, and the loop that every function over rows is.
+#pragma once
+
+#include <cfloat>
+#include <limits>
+
+#include "base/array.hpp"
+#include "base/floating.hpp"
+#include "base/status.hpp"
+#include "math/quaternion.hpp"
+
+namespace qtraj {
+
+// ---- Reading ----
+
+template <size_t Width>
+size_t first_element(const Input<Width>& array, size_t row) {
+  return array.rows == 1 ? 0 : row * Width;
+}
+
+// Told by the bits in memory: converting a signalling NaN would raise FE_INVALID.
+template <size_t Width>
+bool is_finite(const Input<Width>& array, size_t row) {
+  const size_t first = first_element(array, row);
+  for (size_t at = first; at < first + Width; ++at) {
+    if (array.is_float ? !is_finite(static_cast<const float*>(array.data)[at])
+                       : !is_finite(static_cast<const double*>(array.data)[at]))
+      return false;
+  }
+  return true;
+}
+
+template <size_t Width>
+Row<Width> row_of(const Input<Width>& array, size_t row) {
+  Row<Width> values;
+  for (size_t k = 0; k < Width; ++k) {
+    const size_t at = first_element(array, row) + k;
+    values[static_cast<int>(k)] = array.is_float ? static_cast<double>(static_cast<const float*>(array.data)[at])
+                                                 : static_cast<const double*>(array.data)[at];
+  }
+  return values;
+}
+
+inline double number_of(const Input<1>& array, size_t row) { return row_of(array, row)[0]; }
+
+// Of a finite row.
+template <size_t Width>
+bool is_zero(const Input<Width>& array, size_t row) {
+  return largest_component(row_of(array, row)) == 0;
+}
+
+// Whether a row is a quaternion with a direction: not_finite, zero_norm or ok.
+inline Status check_key(const Input<4>& q, size_t row) {
+  if (!is_finite(q, row)) return Status::not_finite;
+  return is_zero(q, row) ? Status::zero_norm : Status::ok;
+}
+
+// Rounding of the caller's type: what lies within it of a singular point is noise.
+template <size_t Width>
+double epsilon_of(const Input<Width>& array) {
+  return array.is_float ? static_cast<double>(FLT_EPSILON) : DBL_EPSILON;
+}
+
+// ---- Writing ----
+
+// Whether the values are finite in the caller's type; they must not be NaN.
+template <size_t Width>
+bool holds(const Output<Width>& array, const Row<Width>& values) {
+  return largest_component(values) <= (array.is_float ? static_cast<double>(FLT_MAX) : DBL_MAX);
+}
+
+template <size_t Width>
+void write_row(const Output<Width>& array, size_t row, const Row<Width>& values) {
+  for (size_t k = 0; k < Width; ++k) {
+    const size_t at = row * Width + k;
+    const double value = values[static_cast<int>(k)];
+    if (array.is_float)
+      static_cast<float*>(array.data)[at] = static_cast<float>(value);
+    else
+      static_cast<double*>(array.data)[at] = value;
+  }
+}
+template <size_t Width>
+void write_nan(const Output<Width>& array, size_t row) {
+  write_row(array, row, Row<Width>(Row<Width>::Constant(std::numeric_limits<double>::quiet_NaN())));
+}
+template <size_t Width>
+Row<Width> zero_row(const Output<Width>&) {
+  return Row<Width>::Zero();
+}
+
+// Two outputs with one row each for every input; the second may have no data. One at fault makes both NaN.
+template <size_t Width>
+struct OutputPair {
+  Output<Width> first, second;
+};
+template <size_t Width>
+struct RowPair {
+  Row<Width> first, second;
+};
+template <size_t Width>
+bool holds(const OutputPair<Width>& arrays, const RowPair<Width>& values) {
+  return holds(arrays.first, values.first) && (!arrays.second.data || holds(arrays.second, values.second));
+}
+template <size_t Width>
+void write_row(const OutputPair<Width>& arrays, size_t row, const RowPair<Width>& values) {
+  write_row(arrays.first, row, values.first);
+  if (arrays.second.data) write_row(arrays.second, row, values.second);
+}
+template <size_t Width>
+void write_nan(const OutputPair<Width>& arrays, size_t row) {
+  write_nan(arrays.first, row);
+  if (arrays.second.data) write_nan(arrays.second, row);
+}
+template <size_t Width>
+RowPair<Width> zero_row(const OutputPair<Width>&) {
+  return {Row<Width>::Zero(), Row<Width>::Zero()};
+}
+
+// ---- The loop ----
+
+// Calls `compute(row, values)` for each row and writes what it leaves in `values`, or NaN where its status is neither
+// ok nor ambiguous, or the values do not fit the caller's type. The outcome is that of the first row at fault. Row i of
+// an input may be overwritten by row i of the output: `compute` reads before it writes.
+// `kernel(row)` does rows from that one on by itself, all of them ok, and returns how many.
+template <class OutputArray, class Kernel, class Compute>
+Outcome for_each_row(size_t count, const OutputArray& out, const Kernel& kernel, const Compute& compute) {
+  Outcome outcome;
+  for (size_t row = 0; row < count; ++row) {
+    row += kernel(row);
+    if (row == count) break;
+    auto values = zero_row(out);
+    Status status = compute(row, values);
+    const bool has_values = status == Status::ok || status == Status::ambiguous;
+    if (has_values && !holds(out, values)) status = Status::not_finite;
+    if (has_values && status != Status::not_finite)
+      write_row(out, row, values);
+    else
+      write_nan(out, row);
+    if (status != Status::ok && outcome.status == Status::ok) outcome = {status, row};
+  }
+  return outcome;
+}
+template <class OutputArray, class Compute>
+Outcome for_each_row(size_t count, const OutputArray& out, const Compute& compute) {
+  return for_each_row(
+      count, out, [](size_t) { return size_t{0}; }, compute);
+}
+
+}  // namespace qtraj

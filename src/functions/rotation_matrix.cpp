@@ -1,0 +1,102 @@
+#include "functions/rotation_matrix.hpp"
+
+#include "math/matrix3.hpp"
+
+namespace qtraj {
+namespace {
+
+using Elements = Row<9>;  // row-major
+
+Elements matrix_of(const Quaternion& unit) {
+  const double w = unit[0], x = unit[1], y = unit[2], z = unit[3];
+  Elements m;
+  m << 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y),  //
+      2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x),   //
+      2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y);
+  return m;
+}
+
+Matrix3 from_elements(const Elements& elements) {
+  Matrix3 matrix;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) matrix(row, column) = elements[3 * row + column];
+  return matrix;
+}
+
+// M^T M - I, what M is off.
+Matrix3 defect(const Matrix3& m) {
+  Matrix3 result;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      result(row, column) = dot(Vector3(m.col(row)), Vector3(m.col(column))) - (row == column ? 1.0 : 0.0);
+  return result;
+}
+
+double sum_of_squares(const Matrix3& m) {
+  double sum = 0;
+  for (int column = 0; column < 3; ++column) sum += dot(Vector3(m.col(column)), Vector3(m.col(column)));
+  return sum;
+}
+
+// The rotation nearest to m; false where m is too far from it.
+bool nearest_rotation(const Matrix3& m, Matrix3& nearest) {
+  // nothing far off is squared, and what is left converges in three steps: |defect| is about twice the distance
+  constexpr double kNear = 0.01, kTolerance = 1e-3;
+  for (int column = 0; column < 3; ++column)
+    if (largest_component(Vector3(m.col(column))) > 2.0) return false;
+  if (sum_of_squares(defect(m)) > kNear * kNear) return false;
+  if (dot(Vector3(m.col(0)), cross(m.col(1), m.col(2))) < 0) return false;
+
+  nearest = m;
+  for (int step = 0; step < 3; ++step) {
+    const Matrix3 excess = product(nearest, defect(nearest));
+    nearest -= 0.5 * excess;
+  }
+  return sum_of_squares(m - nearest) <= kTolerance * kTolerance;
+}
+
+// The quaternion of a rotation, either sign, from its component `largest`, times that component's multiple.
+Quaternion from_largest(const Matrix3& m, int largest) {
+  const double trace = m(0, 0) + m(1, 1) + m(2, 2);
+  if (largest == 0) return {1.0 + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+  const int i = largest - 1, j = (i + 1) % 3, k = (i + 2) % 3;
+  Quaternion q;
+  q[0] = m(k, j) - m(j, k);
+  q[1 + i] = 1.0 + m(i, i) - m(j, j) - m(k, k);
+  q[1 + j] = m(i, j) + m(j, i);
+  q[1 + k] = m(i, k) + m(k, i);
+  return q;
+}
+
+Quaternion quaternion_of(const Matrix3& rotation) {
+  // squares of the components, but for one factor and one constant
+  const double squares[] = {rotation(0, 0) + rotation(1, 1) + rotation(2, 2), rotation(0, 0), rotation(1, 1),
+                            rotation(2, 2)};
+  int largest = 0;
+  for (int k = 1; k < 4; ++k)
+    if (squares[k] > squares[largest]) largest = k;
+  const Quaternion unit = normalize(from_largest(rotation, largest)).unit.value;
+  return unit[0] < 0 ? Quaternion(-unit) : unit;
+}
+
+}  // namespace
+
+Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count) {
+  return for_each_row(count, rows.out, [&](size_t row, Elements& elements) {
+    const Status status = check_key(rows.in, row);
+    if (status == Status::ok) elements = matrix_of(normalize(row_of(rows.in, row)).unit.value);
+    return status;
+  });
+}
+
+Outcome q_from_matrix(const UnaryRows<9, 4>& rows, size_t count) {
+  return for_each_row(count, rows.out, [&](size_t row, Quaternion& q) {
+    if (!is_finite(rows.in, row)) return Status::not_finite;
+    Matrix3 nearest;
+    if (!nearest_rotation(from_elements(row_of(rows.in, row)), nearest)) return Status::not_rotation;
+    q = quaternion_of(nearest);
+    return Status::ok;
+  });
+}
+
+}  // namespace qtraj

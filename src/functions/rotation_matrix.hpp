@@ -1,0 +1,24 @@
+// Rotation matrices, row-major, v_world = M v_body, from quaternions and back.
+//
+// eps is DBL_EPSILON, bounds are of absolute errors, of each component. Faults of a row: not_finite where the input is
+// not, zero_norm where a quaternion is 0.
+#pragma once
+
+#include "functions/for_each_row.hpp"
+
+namespace qtraj {
+
+// M = (w^2 - |v|^2) I + 2 v v^T + 2 w [v] of q / |q| (M. Shuster, "A survey of attitude representations",
+// J. Astronautical Sciences 41 (1993); his maps world to body and is the transpose). Within 3 eps.
+Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count);
+
+// The unit quaternion, w >= 0, of the rotation R nearest to M, the one of the least |M - R|, root of the sum of squared
+// elements: within 1 eps. Of two at w = 0 the one whose largest vector component is positive. not_rotation where
+// |M - R| > 1e-3, or the determinant is negative.
+//
+// R is the limit of M <- M (3 I - M^T M) / 2, which converges quadratically (N. Higham, "Functions of Matrices" (2008),
+// chapter 8, the Newton-Schulz iteration); q follows from it by the largest component (M. Shepperd, "Quaternion from
+// rotation matrix", J. Guidance 1 (1978)), which is at least 1/2 and so divides without loss.
+Outcome q_from_matrix(const UnaryRows<9, 4>& rows, size_t count);
+
+}  // namespace qtraj

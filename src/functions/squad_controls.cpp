@@ -1,0 +1,125 @@
+#include "functions/squad_controls.hpp"
+
+#include "base/times.hpp"
+#include "functions/pairs.hpp"
+#include "math/so3.hpp"
+#include "math/trigonometry.hpp"
+
+namespace qtraj {
+
+Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord& after) {
+  const Vector3 v_before = before.log / before.h, v_after = after.log / after.h;
+  if (rule == Tangent::mean_velocity) return 0.5 * v_before + 0.5 * v_after;
+  const IntervalShares shares = interval_shares(before.h, after.h);
+  return shares.right * v_before + shares.left * v_after;
+}
+
+Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord) {
+  // x = h s, or, where that is far past any limit, the vector along it whose largest component is 8
+  const double largest = largest_component(s);
+  const bool far = largest > 8.0 / chord.h;
+  const Vector3 x = far ? Vector3((8.0 / largest) * s) : Vector3(chord.h * s);
+  const double xx = dot(x, x), xl = dot(x, chord.log), room = kPi * kPi - dot(chord.log, chord.log);
+  if (!(xx - 2.0 * xl > room)) return s;
+  const double factor = (xl + std::sqrt(xl * xl + xx * room)) / xx;
+  return (factor / chord.h) * x;
+}
+
+Quaternion control_offset_after(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord) {
+  return multiply(key, exp_map_minus_one(0.5 * (chord.h * half_rate - chord.log)));
+}
+
+Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord) {
+  return multiply(key, exp_map_minus_one(0.5 * (chord.log - chord.h * half_rate)));
+}
+
+namespace {
+
+// A key as it was given.
+struct SquadKey {
+  Quaternion q;
+  double time;
+  Status status;
+};
+
+// The segment between two keys; unknown where one of them is at fault.
+struct SquadSide {
+  SquadChord chord = {Vector3::Zero(), 0.0};
+  bool is_known = false, is_ambiguous = false;
+};
+
+SquadSide side_between(const SquadKey& from, const SquadKey& to) {
+  if (from.status != Status::ok || to.status != Status::ok) return {};
+  const Slerp arc(make_pair(from.q, to.q, Path::as_given));
+  return {{arc.log(), to.time - from.time}, true, arc.is_ambiguous()};
+}
+
+class SquadKeyReader {
+ public:
+  explicit SquadKeyReader(const SquadKeyRows& rows) : rows_(rows) {}
+
+  SquadKey operator()(size_t key) const {
+    if (!has_finite_time(key) || !is_finite(rows_.q_wb, key)) return {{}, 0.0, Status::not_finite};
+    const Quaternion q_wb = row_of(rows_.q_wb, key);
+    if (largest_component(q_wb) == 0) return {{}, 0.0, Status::zero_norm};
+    return {q_wb, time(key), check_time(key)};
+  }
+
+ private:
+  bool has_finite_time(size_t key) const { return !rows_.times.data || is_finite(rows_.times, key); }
+  double time(size_t key) const { return rows_.times.data ? number_of(rows_.times, key) : static_cast<double>(key); }
+
+  // A time is judged by the one before it and the first one, unless those are themselves at fault.
+  Status check_time(size_t key) const {
+    if (key == 0 || !has_finite_time(key - 1)) return Status::ok;
+    const double previous = time(key - 1), first = has_finite_time(0) ? time(0) : previous;
+    const double knots[] = {std::min(first, previous), previous, time(key)};
+    return check_knot(knots, 2);
+  }
+
+  const SquadKeyRows& rows_;
+};
+
+struct SquadControls {
+  Quaternion a, b;
+};
+
+SquadControls inner_controls(const Quaternion& key, const SquadChord& before, const SquadChord& after) {
+  const Vector3 by_rule = rule_half_rate(Tangent::catmull_rom, before, after);
+  const Vector3 half_rate = limited_half_rate(limited_half_rate(by_rule, before), after);
+  return {key + control_offset_after(key, half_rate, after), key + control_offset_before(key, half_rate, before)};
+}
+
+}  // namespace
+
+Outcome squad_controls(const SquadKeyRows& keys, size_t count) {
+  if (count == 0) return {};
+  Outcome outcome;
+  const SquadKeyReader read(keys);
+  SquadKey key = read(0);
+  SquadSide before;
+  for (size_t i = 0; i < count; ++i) {
+    // the next key is read before this row is written: an output may be the keys' array
+    const bool is_end = i == 0 || i + 1 == count;
+    const SquadKey next = i + 1 == count ? key : read(i + 1);
+    const SquadSide after = i + 1 == count ? SquadSide{} : side_between(key, next);
+
+    Status status = key.status;
+    if (status == Status::ok && (is_end || (before.is_known && after.is_known))) {
+      const Quaternion q = normalize(key.q).unit.value;
+      const SquadControls controls = is_end ? SquadControls{q, q} : inner_controls(q, before.chord, after.chord);
+      if (!is_end && (before.is_ambiguous || after.is_ambiguous)) status = Status::ambiguous;
+      write_row(keys.a, i, controls.a);
+      write_row(keys.b, i, controls.b);
+    } else {
+      write_nan(keys.a, i);
+      write_nan(keys.b, i);
+    }
+    if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
+    key = next;
+    before = after;
+  }
+  return outcome;
+}
+
+}  // namespace qtraj

@@ -1,0 +1,49 @@
+// The inner controls of SQUAD: tangent rule, its limit, and the controls that follow from the rate at a key.
+#pragma once
+
+#include "base/settings.hpp"
+#include "functions/for_each_row.hpp"
+
+namespace qtraj {
+
+// A neighbouring segment as a key sees it: the half-angle vector from its first key to its second, and its length.
+struct SquadChord {
+  Vector3 log;
+  double h;
+};
+
+// Half rate (omega_body/2) of the curve at a key by the tangent rule, from the chords before and after it:
+// CATMULL_ROM (h_after v_before + h_before v_after) / (h_before + h_after), MEAN_VELOCITY (v_before + v_after)/2,
+// v = log/h.
+Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord& after);
+
+// s shortened to the largest factor in [0, 1] with |factor h s - log| <= pi: past 2 pi the control would wrap. |log| up
+// to pi.
+Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord);
+
+// How far the controls of a key are from it, without cancellation:
+//   a - q = q (exp((h s - log)/2) - 1) with the chord after it,
+//   b - q = q (exp((log - h s)/2) - 1) with the chord before it.
+Quaternion control_offset_after(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord);
+Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord);
+
+// Controls a_i and b_i of all keys with the rule CATMULL_ROM and CHORD ends, the arcs between neighbours as their signs
+// give them; formulas in squad.hpp. times data may be null: uniform. The first key's b and the last one's a, which no
+// segment uses, are those keys, and so are, CHORD, the first one's a and the last one's b. One key: both are it.
+// On uniform times K. Shoemake's q_i exp(-(log(q_i* q_{i+1}) + log(q_i* q_{i-1}))/4).
+//
+// Error of a component below 2e-15; where a rate is shortened beside neighbours more than 3 rad apart on S^3, which
+// leaves the limit ill-defined, below 1e-7. Opposite neighbours: the controls of both are ambiguous, and the body turns
+// about its own x axis from one to the other (Slerp in pair.hpp).
+//
+// A key at fault makes the controls of its neighbours NaN too, unless these are the first or the last key. The
+// outcome's index is the first key that is not_finite, zero_norm, whose time is time_order or time_range (as those of
+// knots), or whose controls are ambiguous.
+struct SquadKeyRows {
+  Input<1> times;
+  Input<4> q_wb;
+  Output<4> a, b;
+};
+Outcome squad_controls(const SquadKeyRows& keys, size_t count);
+
+}  // namespace qtraj

@@ -1,0 +1,227 @@
+// The functions of a half-angle vector p that rotations and their rates are made of, as functions of y = |p|^2:
+//   C = cos |p|,  K = sin |p| / |p|,  D = (K - C)/y,  E = (3 D - K)/y,
+// and with them exp p, Jr and beta of the rotation vector r = 2 p:
+//   omega_body = Jr(r) r' = 2 [p' - K^2 p x p' + (K^2 - C D) p x (p x p')]
+//   alpha_body = Jr(r) r'' + 4 K D (p.p') p x p' + 2 (C E - K D)(p.p') p x (p x p') + 2 (K^2 - C D) p' x (p x p').
+// None of it is 0/0 at p = 0, as the textbook forms are. Derived from G. Chirikjian, "Stochastic Models, Information
+// Theory, and Lie Groups", vol. 2 (2012), eq. 10.86.
+#pragma once
+
+#include "math/trigonometry.hpp"
+#include "math/vector_algebra.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Number>
+struct CosSinc {
+  Number c, k;
+};
+template <class Number>
+struct RateFactors {
+  Number c, k, d, e;
+};
+
+// 4^-doublings.
+template <class Real>
+constexpr Real kQuarterPower[] = {Real(1), Real(0.25), Real(0.0625)};
+
+// From x with z = x^2 to 2x: cos 2x = 1 - 2 z sinc^2 x, sinc 2x = cos x sinc x.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void double_angle(Number sinc_squared, Number& c, Number& k, Number& minus_two_z) {
+  using Real = Element<Number>;
+  k = c * k;
+  c = Arithmetic::multiply_add(minus_two_z, sinc_squared, Number(Real(1)));
+  minus_two_z = Number(Real(4)) * minus_two_z;
+}
+// Each doubling doubles the error of c^2 + y k^2, which is 1: one Newton step.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void normalize_doubled(Number y, CosSinc<Number>& f) {
+  using Real = Element<Number>;
+  const Number square = Arithmetic::multiply_add(y * f.k, f.k, f.c * f.c);
+  const Number factor = Arithmetic::multiply_add(Number(Real(-0.5)), square, Number(Real(1.5)));
+  f.c = f.c * factor;
+  f.k = f.k * factor;
+}
+
+// For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, which is then doubled. No
+// square root, no division, and the same branches for all samples of a trajectory.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void cos_sinc(Number y, int doublings, CosSinc<Number>& f) {
+  using Real = Element<Number>;
+  const Number z = y * Number(kQuarterPower<Real>[doublings]);
+  Number c = evaluate<Arithmetic, CosHalf>(z), k = evaluate<Arithmetic, SincHalf>(z);
+  Number minus_two_z = Number(Real(-2)) * z;
+  for (int step = 0; step < doublings; ++step) double_angle<Arithmetic>(k * k, c, k, minus_two_z);
+  f.c = c;
+  f.k = k;
+}
+
+// All four the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16. E is left 0 where it is not wanted.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void rate_factors(Number y, int doublings, bool wants_e, RateFactors<Number>& f) {
+  using Real = Element<Number>;
+  const Number z = y * Number(kQuarterPower<Real>[doublings]);
+  Number c = evaluate<Arithmetic, CosHalf>(z), k = evaluate<Arithmetic, SincHalf>(z);
+  Number d = evaluate<Arithmetic, DHalf>(z), e = Number(Real(0));
+  if (wants_e) e = evaluate<Arithmetic, EHalf>(z);
+  Number minus_two_z = Number(Real(-2)) * z;
+  for (int step = 0; step < doublings; ++step) {
+    const Number sinc_squared = k * k;
+    if (wants_e) e = Number(Real(0.0625)) * Arithmetic::multiply_add(c, e, Number(Real(3)) * d * k);
+    d = Number(Real(0.25)) * Arithmetic::multiply_add(c, d, sinc_squared);
+    double_angle<Arithmetic>(sinc_squared, c, k, minus_two_z);
+  }
+  f.c = c;
+  f.k = k;
+  f.d = d;
+  f.e = e;
+}
+
+// For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as
+// 1 where it may be 0.
+constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
+
+template <class Arithmetic, class Number>
+QTRAJ_INLINE CosSinc<Number> cos_sinc_any(Number y) {
+  const auto is_short = y <= Number(kPolynomialLimit);
+  CosSinc<Number> near;
+  cos_sinc<Arithmetic>(select(is_short, y, Number(0.0)), 0, near);
+  const Number angle = select(is_short, Number(1.0), square_root(y));
+  const SinCosOf<Number> at = sin_cos_of(angle);
+  return {select(is_short, near.c, at.cos), select(is_short, near.k, at.sin / angle)};
+}
+
+// base (c, k p), the Hamilton product.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void turn(const Number (&base)[4], const CosSinc<Number>& f, const Number (&p)[3], Number (&q)[4]) {
+  const Number w = base[0], x = base[1], y = base[2], z = base[3];
+  const Number vx = f.k * p[0], vy = f.k * p[1], vz = f.k * p[2];
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
+  q[0] = add(-z, vz, add(-y, vy, add(-x, vx, w * f.c)));
+  q[1] = add(-z, vy, add(y, vz, add(x, f.c, w * vx)));
+  q[2] = add(-x, vz, add(z, vx, add(y, f.c, w * vy)));
+  q[3] = add(-y, vx, add(x, vy, add(z, f.c, w * vz)));
+}
+
+// A half-angle vector with its derivatives.
+template <class Number>
+struct HalfAngleJet {
+  Number p[3], dp[3], ddp[3];
+};
+// Of a polynomial.
+template <class Arithmetic, class Number, size_t Terms>
+QTRAJ_INLINE HalfAngleJet<Number> half_angle_jet(const Number (&c)[Terms][3], Number x) {
+  HalfAngleJet<Number> jet;
+  horner<Arithmetic>(c, x, jet.p);
+  first_derivative<Arithmetic>(c, x, jet.dp);
+  second_derivative<Arithmetic>(c, x, jet.ddp);
+  return jet;
+}
+
+// Weights of the cross products in the formulas above, p there a vector of any length. A vector of many turns is passed
+// as its unit vector, the powers of its length in the weights: no product then overflows.
+template <class Number>
+struct RateWeights {
+  Number once, twice;              // p x p' and p x (p x p'), and the same with p''
+  Number sideways;                 // p' x (p x p')
+  Number along_once, along_twice;  // (p.p') p x p' and (p.p') p x (p x p')
+};
+
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void weigh_rates(const HalfAngleJet<Number>& jet, const Number (&p)[3], const RateWeights<Number>& weights,
+                              bool wants_alpha, Rates<Number>& rates) {
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
+  const Number two = Number(Element<Number>(2));
+  Number once[3], twice[3];
+  cross_product<Arithmetic>(p, jet.dp, once);
+  cross_product<Arithmetic>(p, once, twice);
+  for (size_t k = 0; k < 3; ++k)
+    rates.omega[k] = two * add(weights.twice, twice[k], add(weights.once, once[k], jet.dp[k]));
+  if (!wants_alpha) return;
+
+  Number ddp_once[3], ddp_twice[3], sideways[3];
+  cross_product<Arithmetic>(p, jet.ddp, ddp_once);
+  cross_product<Arithmetic>(p, ddp_once, ddp_twice);
+  cross_product<Arithmetic>(jet.dp, once, sideways);
+  const Number along = dot_product<Arithmetic>(p, jet.dp);
+  const Number along_once = weights.along_once * along, along_twice = weights.along_twice * along;
+  for (size_t k = 0; k < 3; ++k) {
+    const Number direct = add(weights.twice, ddp_twice[k], add(weights.once, ddp_once[k], jet.ddp[k]));
+    const Number turning = add(weights.sideways, sideways[k], add(along_twice, twice[k], along_once * once[k]));
+    rates.alpha[k] = two * (direct + turning);
+  }
+}
+
+template <class Arithmetic, class Number>
+QTRAJ_INLINE RateWeights<Number> rate_weights(const RateFactors<Number>& f) {
+  const Number twice = Arithmetic::multiply_add(f.k, f.k, -(f.c * f.d));
+  return {-(f.k * f.k), twice, twice, Number(Element<Number>(2)) * f.k * f.d,
+          Arithmetic::multiply_add(f.c, f.e, -(f.k * f.d))};
+}
+
+// Body rates of exp p for |p| <= pi/2.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
+  RateFactors<Number> f;
+  rate_factors<Arithmetic>(dot_product<Arithmetic>(jet.p, jet.p), 0, wants_alpha, f);
+  weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
+}
+
+// For any |p| below 2^500; Number of double.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
+  const Number zero(0.0), one(1.0), two(2.0), three(3.0);
+  const Number y = dot_product<Arithmetic>(jet.p, jet.p);
+  const auto is_short = y <= Number(kPolynomialLimit);
+  RateFactors<Number> f;
+  rate_factors<Arithmetic>(select(is_short, y, zero), 0, wants_alpha, f);
+  const RateWeights<Number> near = rate_weights<Arithmetic>(f);
+
+  const Number length = select(is_short, one, square_root(y));
+  const SinCosOf<Number> at = sin_cos_of(length);
+  const Number k = at.sin / length, twice = one - at.cos * k;
+  const Number along_twice = (three * at.cos * (k - at.cos) - at.sin * at.sin) / length;
+  const RateWeights<Number> weights = {select(is_short, near.once, -(at.sin * k)), select(is_short, near.twice, twice),
+                                       select(is_short, near.sideways, twice / length),
+                                       select(is_short, near.along_once, two * k * (k - at.cos)),
+                                       select(is_short, near.along_twice, along_twice)};
+  const Number direction[3] = {jet.p[0] / length, jet.p[1] / length, jet.p[2] / length};
+  weigh_rates<Arithmetic>(jet, direction, weights, wants_alpha, rates);
+}
+
+// ---- Jr(r) and the factors of beta from those of the half angle. Plain arithmetic: the same bits in the core and in
+// kernels of either arithmetic. The formulas are in so3.hpp.
+
+// C, K, D and E of the half angle sqrt(y), y <= kPolynomialLimit, in the core's order of operations.
+template <class Number>
+QTRAJ_INLINE RateFactors<Number> polynomial_factors(Number y) {
+  return {tail(CosHalf::kDouble, 0, y), tail(SincHalf::kDouble, 0, y), tail(DHalf::kDouble, 0, y),
+          tail(EHalf::kDouble, 0, y)};
+}
+
+// The factors of beta.
+template <class Number>
+struct TurningFactorsOf {
+  Number along_once, along_twice, sideways;
+};
+template <class Number>
+QTRAJ_INLINE TurningFactorsOf<Number> turning_factors_of(const RateFactors<Number>& f) {
+  return {Number(0.25) * f.k * f.d, Number(0.0625) * (f.c * f.e - f.k * f.d), Number(0.25) * (f.k * f.k - f.c * f.d)};
+}
+
+// 1 - (K^2/2) r x + sideways r x r x, with r x r x = r r^T - |r|^2; column after column.
+template <class Number>
+QTRAJ_INLINE void jacobian_of(const RateFactors<Number>& f, Number sideways, const Number (&r)[3],
+                              Number (&jacobian)[9]) {
+  const Number once = Number(0.5) * f.k * f.k, square = sideways * dot_product<Plain>(r, r);
+  for (size_t column = 0; column < 3; ++column) {
+    const size_t next = (column + 1) % 3, last = (column + 2) % 3;
+    jacobian[3 * column + column] = (Number(1.0) + r[column] * (sideways * r[column])) - square;
+    jacobian[3 * column + next] = r[column] * (sideways * r[next]) - once * r[last];
+    jacobian[3 * column + last] = r[column] * (sideways * r[last]) + once * r[next];
+  }
+}
+
+}  // namespace
+}  // namespace qtraj

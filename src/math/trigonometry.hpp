@@ -1,0 +1,127 @@
+// The project's own sine, cosine and arctangent: the same bits on every CPU, compiler and libm.
+#pragma once
+
+#include <cstddef>
+
+#include "base/floating.hpp"
+#include "math/arithmetic.hpp"
+#include "math/error_free.hpp"
+
+namespace qtraj {
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+
+struct SinCos {
+  double sin, cos;
+};
+
+// Sine and cosine of x, rad, any finite x. Error below 1 ulp for |x| <= 2^50. Beyond, where neighbouring doubles are a
+// quarter of a radian and more apart, x counts as +-2^50: finite and on the unit circle, but no direction is meant.
+SinCos sin_cos(double x);
+
+// Angle of the point (x, y), rad, in (-pi, pi], for |x|, |y| <= DBL_MAX / 2; 0 at the origin. Error below 2 ulp.
+// The sign of a zero is not looked at: atan2(-0.0, -1.0) is pi.
+double atan2(double y, double x);
+
+namespace {
+
+// ---- Sine, cosine and arctangent of double, or of a vector of it, in plain arithmetic: the same bits everywhere, and
+// for a vector those of its samples one by one. What they promise is in qtraj/elementary.hpp.
+
+// A polynomial without its first `skip` terms: callers add those last, so that they round once.
+template <class Number, size_t Terms>
+QTRAJ_INLINE Number tail(const double (&coefficients)[Terms], size_t skip, Number x) {
+  Number sum(coefficients[Terms - 1]);
+  for (size_t k = Terms - 1; k-- > skip;) sum = sum * x + Number(coefficients[k]);
+  for (size_t k = 0; k < skip; ++k) sum = sum * x;
+  return sum;
+}
+
+// x = quarters pi/2 + high + low, without loss where x is close to a multiple of pi/2.
+template <class Number>
+struct Reduced {
+  Number quarters, high, low;
+};
+
+template <class Number>
+QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, Reduced<Number>& reduced) {
+  // pi/2 to 159 bits
+  const Number half_pi(0x1.921fb54442d18p+0), half_pi_low(0x1.1a62633145c07p-54),
+      half_pi_lowest(-0x1.f1976b7ed8fbcp-110);
+  // x less the first product is exact, the two being within a factor of 2 or the second 0, and so is each step but the
+  // last
+  const DoubleDoubleOf<Number> product = two_product(quarters, half_pi),
+                               product_low = two_product(quarters, half_pi_low);
+  const DoubleDoubleOf<Number> once = two_sum(x - product.value, -product.error);
+  const DoubleDoubleOf<Number> twice = two_sum(once.value, -product_low.value);
+  const Number rest = (once.error + twice.error) - (product_low.error + quarters * half_pi_lowest);
+  reduced.quarters = quarters;
+  reduced.high = twice.value + rest;
+  reduced.low = (twice.value - reduced.high) + rest;
+}
+
+template <class Number>
+QTRAJ_INLINE Reduced<Number> reduce(Number x) {
+  const Number quarters_per_radian(0x1.45f306dc9c883p-1);
+  Reduced<Number> reduced;
+  subtract_quarters(x, round_to_integer(x * quarters_per_radian), reduced);
+  // of many turns the first count may be a quarter off: its product was rounded
+  const Number missed = round_to_integer(reduced.high * quarters_per_radian);
+  const Number zero(0.0);
+  if (any(missed < zero) || any(zero < missed))
+    subtract_quarters(x, reduced.quarters + missed, reduced);  // the same again where nothing was missed
+  return reduced;
+}
+
+template <class Number>
+struct SinCosOf {
+  Number sin, cos;
+};
+
+template <class Number>
+QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
+  const Number zero(0.0), half(0.5), one(1.0), two(2.0), far(0x1p50);
+  const Number below = select(far < angle, far, angle);
+  const Reduced<Number> reduced = reduce(select(below < -far, -far, below));
+  const Number high = reduced.high, low = reduced.low;
+
+  const Number y = high * high;
+  const Number s = high + (high * tail(SincArc::kDouble, 1, y) + low);
+  // 1 - y/2 rounded, what the rounding left, and the small terms
+  const Number leading = one - half * y;
+  const Number c = leading + (((one - leading) - half * y) + (tail(CosArc::kDouble, 2, y) - high * low));
+
+  // the quarter, one of -2, -1, 0, 1, 2
+  const Number quarter = reduced.quarters - Number(4.0) * round_to_integer(Number(0.25) * reduced.quarters);
+  const Number squared = quarter * quarter;
+  const auto is_none = squared < half, is_one = squared < two, is_back = quarter < zero;
+  return {select(is_none, s, select(is_one, select(is_back, -c, c), -s)),
+          select(is_none, c, select(is_one, select(is_back, s, -s), -c))};
+}
+
+template <class Number>
+QTRAJ_INLINE Number atan2_of(Number y, Number x) {
+  const Number zero(0.0), one(1.0), two(2.0), four(4.0);
+  const Number ax = select(x < zero, -x, x), ay = select(y < zero, -y, y);
+  const Number largest = select(ay < ax, ax, ay), least = select(ay < ax, ay, ax);
+
+  // the angle is eighths pi/4 + sign atan(ratio), |ratio| <= tan(pi/8)
+  const auto is_wide = Number(0.41421356237309503) * largest < least;
+  const Number numerator = select(is_wide, least - largest, least);
+  const Number denominator = select(is_wide, least + largest, largest);
+  const Number ratio = numerator / select(zero < denominator, denominator, one);
+  Number eighths = select(is_wide, one, zero), sign = one;
+  eighths = select(ax < ay, two - eighths, eighths);
+  sign = select(ax < ay, -sign, sign);
+  eighths = select(x < zero, four - eighths, eighths);
+  sign = select(x < zero, -sign, sign);
+
+  // multiples of pi/4, exact, and what the rounding of pi/4 left of them
+  const Number high = eighths * Number(0x1.921fb54442d18p-1), low = eighths * Number(0x1.1a62633145c07p-55);
+  const Number atan_tail = ratio * tail(AtanRatio::kDouble, 1, ratio * ratio);
+  const Number magnitude = select(eighths < one, ratio + atan_tail, high + (sign * ratio + (sign * atan_tail + low)));
+  return select(y < zero, -magnitude, magnitude);
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,125 @@
+#include "means/eigen_mean.hpp"
+
+#include <utility>
+
+#include "targets/kernels.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr RowKernel<ScatterRows> kScatterKernels[] = QTRAJ_OF_EACH_TARGET(add_scatter);
+
+// Eigenvalues and, in columns, eigenvectors of a symmetric matrix by cyclic Jacobi rotations (G. Golub, C. Van Loan,
+// "Matrix Computations", 8.5.5): only + - * / sqrt, and accurate to rounding.
+struct Eigensystem {
+  Matrix4 values;  // diagonal
+  Matrix4 vectors = Matrix4::Identity();
+};
+
+// Makes element (p, q) zero.
+void rotate_plane(Eigensystem& system, int p, int q) {
+  Matrix4& a = system.values;
+  if (a(p, q) == 0) return;
+  // tangent of the smaller angle; half_difference may dwarf a(p, q), so neither is divided by the other's square
+  const double half_difference = 0.5 * (a(q, q) - a(p, p));
+  const double largest = std::max(std::abs(half_difference), std::abs(a(p, q)));  // squares of the rest may vanish
+  const double x = half_difference / largest, y = a(p, q) / largest;
+  const double radius = std::sqrt(x * x + y * y);
+  const double tangent = y / (x >= 0 ? x + radius : x - radius);
+  const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
+
+  a(p, p) -= tangent * a(p, q);
+  a(q, q) += tangent * a(p, q);
+  a(p, q) = a(q, p) = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (k != p && k != q) {
+      const double kp = a(k, p), kq = a(k, q);
+      a(k, p) = a(p, k) = cosine * kp - sine * kq;
+      a(k, q) = a(q, k) = sine * kp + cosine * kq;
+    }
+    const double vp = system.vectors(k, p), vq = system.vectors(k, q);
+    system.vectors(k, p) = cosine * vp - sine * vq;
+    system.vectors(k, q) = sine * vp + cosine * vq;
+  }
+}
+
+Eigensystem eigensystem(const Matrix4& symmetric) {
+  Eigensystem system;
+  system.values = symmetric;
+  // convergence is quadratic: five sweeps reach rounding, the sixth rotates by nothing
+  for (int sweep = 0; sweep < 6; ++sweep)
+    for (int p = 0; p < 3; ++p)
+      for (int q = p + 1; q < 4; ++q) rotate_plane(system, p, q);
+  return system;
+}
+
+}  // namespace
+
+double Spectrum::eigengap() const {
+  // of equal samples rounding may leave a second eigenvalue below 0 and a first above the sum
+  return std::min((values[0] - std::max(values[1], 0.0)) / sum_of_weights, 1.0);
+}
+
+void OrientationScatter::close_block() {
+  const SampleRows rows = block_.padded();
+  kScatterKernels[target()]({rows, &sum_}, 0, rows.q.rows);
+  block_.clear();
+}
+
+void OrientationScatter::add(const Quaternion& q, double weight) {
+  block_.add(q, weight);
+  if (block_.is_full()) close_block();
+}
+
+bool OrientationScatter::add(const WeightedOrientations& samples) {
+  return samples.sum([this](const SampleRows& rows, size_t first, size_t count) {
+    return kScatterKernels[target()]({rows, &sum_}, first, count);
+  });
+}
+
+Spectrum OrientationScatter::spectrum() {
+  close_block();
+  Matrix4 scatter;
+  size_t at = 0;
+  for (int row = 0; row < 4; ++row)
+    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = sum_.value(at++);
+  const Eigensystem system = eigensystem(scatter);
+
+  int order[] = {0, 1, 2, 3};
+  for (int k = 1; k < 4; ++k)
+    for (int j = k; j > 0 && system.values(order[j], order[j]) > system.values(order[j - 1], order[j - 1]); --j)
+      std::swap(order[j], order[j - 1]);
+  Spectrum spectrum;
+  spectrum.sum_of_weights = 0;
+  for (int k = 0; k < 4; ++k) {
+    spectrum.values[k] = system.values(order[k], order[k]);
+    spectrum.vectors[k] = system.vectors.col(order[k]);
+    spectrum.sum_of_weights += scatter(k, k);
+  }
+  return spectrum;
+}
+
+Status OrientationScatter::top_eigenvector(double epsilon, Quaternion& mean) {
+  const Spectrum found = spectrum();
+  mean = found.vectors[0];
+  return found.ties(epsilon) ? Status::ambiguous : Status::ok;
+}
+
+Outcome scatter_of(WeightedOrientations& samples, OrientationScatter& scatter) {
+  // which of several faults comes first is asked only where there is one
+  return samples.scale_weights() && scatter.add(samples) ? Outcome() : samples.first_fault();
+}
+
+EigenMean mean_eigen(WeightedOrientations samples) {
+  EigenMean mean;
+  OrientationScatter scatter;
+  mean.outcome = scatter_of(samples, scatter);
+  if (mean.outcome.status != Status::ok) return mean;
+  const Spectrum spectrum = scatter.spectrum();
+  mean.q = samples.with_sign_of_first(unit(spectrum.vectors[0]));
+  mean.eigengap = spectrum.eigengap();
+  if (spectrum.ties(samples.epsilon())) mean.outcome.status = Status::ambiguous;
+  return mean;
+}
+
+}  // namespace qtraj

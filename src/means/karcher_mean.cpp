@@ -1,0 +1,103 @@
+// Based on: R. Hartley, J. Trumpf, Y. Dai, H. Li, "Rotation averaging", IJCV 103 (2013).
+#include "means/karcher_mean.hpp"
+
+#include "math/so3.hpp"
+#include "means/karcher_certificate.hpp"
+
+namespace qtraj {
+namespace {
+
+// A descent: where it stands and how it came there.
+struct Descent {
+  Quaternion mean;
+  LogMoments at_mean;
+  int32_t iterations = 0;
+  double residual = 0;
+  bool converged = false;
+};
+
+Vector3 unit_step(const LogMoments& at) { return at.logs / at.weight; }
+
+Vector3 newton_step(const LogMoments& at) {
+  Matrix3 inverse;
+  return invert(at.hessian, inverse) ? product(inverse, at.logs) : unit_step(at);
+}
+
+void move(const WeightedOrientations& samples, const Vector3& step, Descent& descent) {
+  descent.mean = unit(multiply(descent.mean, exp_map(step)));
+  descent.at_mean = log_moments(samples, descent.mean);
+  descent.residual = length(step);
+}
+
+Descent descend(const WeightedOrientations& samples, const Quaternion& start, const KarcherSettings& settings) {
+  const double floor = 4.0 * samples.epsilon(), tolerance = std::max(settings.tolerance, floor);
+  Descent descent = {start, log_moments(samples, start)};
+  while (!descent.converged && descent.iterations < settings.max_iterations) {
+    const Descent before = descent;
+    const LogMoments& at = before.at_mean;
+    // rounding alone moves f by that much: each d is good to about eps
+    const double noise = 8.0 * DBL_EPSILON * at.weight * at.root_mean_square();
+    move(samples, newton_step(at), descent);
+    if (descent.at_mean.squares > at.squares + noise) {
+      descent = before;
+      move(samples, unit_step(at), descent);
+    }
+    ++descent.iterations;
+    descent.converged = descent.residual <= tolerance || length(unit_step(at)) <= floor;
+  }
+  return descent;
+}
+
+// Keeps the descent with the lesser f.
+void try_start(const WeightedOrientations& samples, const Quaternion& start, const KarcherSettings& settings,
+               Descent& best) {
+  const Descent descent = descend(samples, unit(start), settings);
+  if (descent.at_mean.squares < best.at_mean.squares) best = descent;
+}
+
+// All starts but the eigen mean: the eigenvectors e_j, (+-e1 +-e2 +-e3 +-e4)/2, (e_i +- e_j)/sqrt2.
+void try_other_starts(const WeightedOrientations& samples, const Spectrum& spectrum, const KarcherSettings& settings,
+                      Descent& best) {
+  const Quaternion* e = spectrum.vectors;
+  for (int j = 1; j < 4; ++j) try_start(samples, e[j], settings, best);
+  for (int signs = 0; signs < 8; ++signs) {
+    Quaternion start = e[0];
+    for (int j = 1; j < 4; ++j) start += (signs >> (j - 1) & 1) != 0 ? Quaternion(-e[j]) : e[j];
+    try_start(samples, start, settings, best);
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      try_start(samples, e[i] + e[j], settings, best);
+      try_start(samples, e[i] - e[j], settings, best);
+    }
+}
+
+Status find_minimum(const WeightedOrientations& samples, const Spectrum& spectrum, const KarcherSettings& settings,
+                    Descent& best) {
+  const auto is_proven = [&] { return is_global_minimum(samples, spectrum, best.mean, best.at_mean); };
+  best = descend(samples, unit(spectrum.vectors[0]), settings);
+  if (!best.converged) return Status::no_convergence;
+  if (is_proven()) return Status::ok;
+  try_other_starts(samples, spectrum, settings, best);
+  if (!best.converged) return Status::no_convergence;
+  return is_proven() ? Status::ok : Status::ambiguous;
+}
+
+}  // namespace
+
+bool KarcherSettings::is_valid() const { return is_finite(tolerance) && tolerance >= 0 && max_iterations >= 1; }
+
+KarcherMean mean_karcher(WeightedOrientations samples, const KarcherSettings& settings) {
+  KarcherMean mean;
+  OrientationScatter scatter;
+  mean.outcome = scatter_of(samples, scatter);
+  if (mean.outcome.status != Status::ok) return mean;
+  Descent best;
+  mean.outcome.status = find_minimum(samples, scatter.spectrum(), settings, best);
+  mean.q = samples.with_sign_of_first(best.mean);
+  mean.iterations = best.iterations;
+  mean.residual = best.residual;
+  return mean;
+}
+
+}  // namespace qtraj

@@ -1,0 +1,23 @@
+// From keyframes and options to a trajectory.
+#pragma once
+
+#include "curve/trajectory.hpp"
+#include "methods/keyframes.hpp"
+#include "methods/options.hpp"
+
+namespace qtraj {
+
+// Bytes of a handle and of the constructor's working space; false where they would exceed PTRDIFF_MAX.
+struct TrajectorySize {
+  size_t handle, workspace;
+};
+bool trajectory_size(const Options& options, size_t count, TrajectorySize& size);
+
+// Whether the options are complete and the input has the rates they need, and no others: ok or option.
+Status check_settings(const Options& options, const KeyframeInput& input, Frame rate_frame);
+
+// Builds in 8-byte aligned memory of the sizes above, settings checked; the workspace is free again afterwards.
+Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,
+                         void* workspace, Trajectory** out);
+
+}  // namespace qtraj

@@ -1,0 +1,31 @@
+#include "math/so3.hpp"
+#include "methods/given_rates.hpp"
+#include "methods/method.hpp"
+#include "methods/polynomials.hpp"
+
+namespace qtraj {
+
+// HERMITE: q_i exp(r/2), r the cubic with r(0) = 0, r(h) = R_i = 2 log(q_i* q_{i+1}) and the given body rates w at both
+// ends: r'(0) = w_i, r'(h) = Jr^-1(R_i) w_{i+1}. not_finite with a key's index where |h w| exceeds 2^500.
+Outcome build_hermite(Construction& construction) {
+  constexpr double kLimit = 0x1p500;
+  const Keyframes& keys = construction.keys;
+  auto* segments = static_cast<RotationVectorSegment<3>*>(construction.segments);
+  double bound = 0;
+  for (size_t i = 0; i < keys.segments(); ++i) {
+    const double h = keys.step(i);
+    Vector3 start, end;
+    if (!given_scaled_omega(construction, i, h, kLimit, start)) return {Status::not_finite, i};
+    if (!given_scaled_omega(construction, i + 1, h, kLimit, end)) return {Status::not_finite, i + 1};
+    const Vector3 log = relative_log(keys[i], keys[i + 1]);
+    const EndValues<Vector3> p = {
+        {Vector3::Zero(), log}, {0.5 * start, 0.5 * inverse_right_jacobian(2.0 * log, end)}, {}};
+    bound = std::max(bound, set_cubic(keys[i].value, h, p, segments[i]));
+    if (i == 0) construction.omega_start = start / h;
+    construction.omega_end = end / h;
+  }
+  construction.range = range_of(bound);
+  return {};
+}
+
+}  // namespace qtraj

@@ -1,0 +1,78 @@
+#include "methods/keyframes.hpp"
+
+#include "base/floating.hpp"
+#include "base/times.hpp"
+#include "math/so3.hpp"
+#include "targets/kernels.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr RowKernel<UnitKeyRows> kUnitKeyKernels[] = QTRAJ_OF_EACH_TARGET(unit_keys);
+
+Status check_keyframe(const KeyframeInput& input, size_t key, bool is_ordinary) {
+  const bool finite = is_finite(input.times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
+                      (!input.omega.data || is_finite(input.omega, key)) &&
+                      (!input.alpha.data || is_finite(input.alpha, key));
+  if (!finite) return Status::not_finite;
+  if (!is_ordinary && is_zero(input.q_wb, key)) return Status::zero_norm;
+  return check_knot(input.times, key);
+}
+
+// Makes keys unit from `first` on, as many as the kernel does, and tells how many. In blocks, which are still in the
+// cache when their signs are looked at.
+size_t fill_units(const KeyframeInput& input, size_t first, Keyframes& keys, KeyframeReport& report) {
+  constexpr size_t kBlock = 128;
+  return kUnitKeyKernels[target()]({input.q_wb, keys.q, keys.q_remainder, &report.worst_norm_error}, first,
+                                   std::min(first + kBlock, input.count));
+}
+
+void fill_unit(const KeyframeInput& input, size_t key, Keyframes& keys, KeyframeReport& report) {
+  const Normalized normalized = normalize(row_of(input.q_wb, key));
+  report.worst_norm_error = std::max(report.worst_norm_error, std::abs(normalized.norm - 1.0));
+  keys.set(key, normalized.unit);
+}
+
+// Gives the key the sign that continues the one before.
+void continue_sign(size_t key, Keyframes& keys, KeyframeReport& report) {
+  double neighbours = dot(load(keys.q[key - 1]), load(keys.q[key]));
+  if (neighbours < 0) {
+    keys.set(key, negate(keys[key]));
+    neighbours = -neighbours;
+    ++report.sign_flips;
+  }
+  report.least_dot = std::min(report.least_dot, neighbours);
+}
+
+}  // namespace
+
+void Keyframes::set(size_t key, const UnitQuaternion& unit) {
+  store(unit.value, q[key]);
+  store(unit.error, q_remainder[key]);
+}
+
+Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report) {
+  Keyframes cleaned = keys;
+  size_t ordinary = 0;  // keys up to it that the kernel made unit
+  for (size_t key = 0; key < input.count; ++key) {
+    if (key >= ordinary) ordinary = key + fill_units(input, key, cleaned, report);
+    const Status status = check_keyframe(input, key, key < ordinary);
+    if (status != Status::ok) return {status, key};
+    cleaned.times[key] = input.times[key];
+    if (key >= ordinary) fill_unit(input, key, cleaned, report);
+    if (key > 0) continue_sign(key, cleaned, report);
+  }
+  return {};
+}
+
+Outcome close_keyframes(Keyframes& keys) {
+  constexpr double kTolerance = 1e-6;
+  const size_t last = keys.count - 1;
+  UnitQuaternion first_key = keys[0];
+  if (dot(first_key.value, keys[last].value) < 0) first_key = negate(first_key);
+  if (2.0 * relative_rotation(first_key, keys[last]).angle > kTolerance) return {Status::not_closed, last};
+  keys.set(last, first_key);
+  return {};
+}
+
+}  // namespace qtraj

@@ -1,0 +1,48 @@
+// The door for keyframes: caller's arrays are checked, normalised and made sign-continuous, once.
+#pragma once
+
+#include "base/status.hpp"
+#include "functions/for_each_row.hpp"
+#include "math/quaternion.hpp"
+
+namespace qtraj {
+
+// Keyframes as the caller passed them; omega and alpha data may be null. The pointers to data are checked.
+struct KeyframeInput {
+  const double* times;
+  Input<4> q_wb;
+  Input<3> omega, alpha;
+  size_t count;
+
+  double epsilon() const { return epsilon_of(q_wb); }
+};
+
+// Invariant: times strictly increase, q are unit to 1e-30, <q_{i-1}, q_i> >= 0.
+struct Keyframes {
+  double* times;             // [count]
+  double (*q)[4];            // [count], rounded
+  double (*q_remainder)[4];  // [count], what the rounding left; working space of the constructor
+  size_t count;
+
+  UnitQuaternion operator[](size_t key) const { return {load(q[key]), load(q_remainder[key])}; }
+  void set(size_t key, const UnitQuaternion& unit);
+  size_t segments() const { return count - 1; }
+  // length of segment i
+  double step(size_t segment) const { return times[segment + 1] - times[segment]; }
+};
+
+// What cleaning found; users see it through the getters.
+struct KeyframeReport {
+  size_t sign_flips = 0;
+  double worst_norm_error = 0;
+  double least_dot = 1;
+};
+
+// Checks all input and fills `keys`, whose arrays hold input.count elements. On an error the lowest index at fault and,
+// at one index, the first of not_finite, zero_norm, time_order, time_range.
+Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report);
+
+// Makes the last key +- the first, sign kept; not_closed where they are more than 1e-6 rad apart as orientations.
+Outcome close_keyframes(Keyframes& keys);
+
+}  // namespace qtraj

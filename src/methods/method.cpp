@@ -1,0 +1,58 @@
+// The table of methods: a new interpolant is a builder in a file of its own and a row here.
+#include "methods/method.hpp"
+
+namespace qtraj {
+
+Outcome build_slerp(Construction& construction);
+Outcome build_nlerp(Construction& construction);
+Outcome build_squad(Construction& construction);
+Outcome build_log_spline(Construction& construction);
+Outcome build_rotation_spline(Construction& construction);
+Outcome build_hermite(Construction& construction);
+Outcome build_rotation_quintic(Construction& construction);
+Outcome build_quaternion_quintic(Construction& construction);
+
+namespace {
+
+constexpr unsigned bit(End end) { return 1u << static_cast<unsigned>(end); }
+
+constexpr unsigned kSquadEnds =
+    bit(End::standard) | bit(End::chord) | bit(End::estimated) | bit(End::given) | bit(End::periodic);
+constexpr unsigned kLogSplineEnds = bit(End::standard) | bit(End::natural) | bit(End::not_a_knot) | bit(End::periodic);
+
+constexpr unsigned kRotationSplineEnds = bit(End::standard) | bit(End::chord) | bit(End::natural) |
+                                         bit(End::estimated) | bit(End::given) | bit(End::periodic);
+
+// Method, segments, their bytes, ends, tangents, reference, omega, alpha, workspace, builder.
+constexpr MethodRow kMethods[] = {
+    {Method{QTRAJ_SLERP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, 0, build_slerp},
+    {Method{QTRAJ_NLERP}, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, false, false, 0,
+     build_nlerp},
+    {Method{QTRAJ_SQUAD}, SegmentKind::nested_arcs, sizeof(NestedArcsSegment), kSquadEnds, true, false, false, false,
+     kSquadWorkspacePerKey, build_squad},
+    {Method{QTRAJ_LOG_SPLINE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kLogSplineEnds, false,
+     true, false, false, kLogSplineWorkspacePerKey, build_log_spline},
+    {Method{QTRAJ_ROTATION_SPLINE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kRotationSplineEnds,
+     false, false, false, false, kRotationSplineWorkspacePerKey, build_rotation_spline},
+    {Method{QTRAJ_HERMITE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), 0, false, false, true,
+     false, 0, build_hermite},
+    {Method{QTRAJ_ROTATION_QUINTIC}, SegmentKind::rotation_vector_quintic, sizeof(RotationVectorSegment<5>), 0, false,
+     false, true, true, 0, build_rotation_quintic},
+    {Method{QTRAJ_QUATERNION_QUINTIC}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
+     true, true, 0, build_quaternion_quintic},
+};
+
+}  // namespace
+
+bool MethodRow::accepts_end(End condition) const {
+  const auto number = static_cast<int32_t>(condition);
+  return number >= 0 && number <= static_cast<int32_t>(End::periodic) && (ends & bit(condition)) != 0;
+}
+
+const MethodRow* find_method(Method method) {
+  for (const MethodRow& row : kMethods)
+    if (row.method == method) return &row;
+  return nullptr;
+}
+
+}  // namespace qtraj

@@ -1,0 +1,47 @@
+// What builders and the table of methods (method.cpp) share.
+#pragma once
+
+#include "curve/segment.hpp"
+#include "methods/keyframes.hpp"
+#include "methods/options.hpp"
+
+namespace qtraj {
+
+// What a builder reads and what it leaves.
+struct Construction {
+  const Options& options;
+  const KeyframeInput& input;  // for the given rates
+  Frame rate_frame;            // of the given rates
+  Keyframes keys;
+  double* workspace;  // MethodRow::workspace_per_key doubles a key
+  void* segments;     // [keys.segments()] of the method's record
+
+  // Left by the builder: rates of the curve at the first and last knot, body frame, for CONSTANT_RATE.
+  Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
+  // Largest |p| of rotation-vector segments.
+  ExponentRange range = ExponentRange::quarter_turn;
+  // Of methods that iterate: how often a system was solved, and what is left of the equations (qtraj_residual).
+  int32_t iterations = 0;
+  double residual = 0;
+};
+
+// Working space of builders, doubles a key.
+constexpr size_t kSquadWorkspacePerKey = 6, kLogSplineWorkspacePerKey = 8, kRotationSplineWorkspacePerKey = 63;
+
+struct MethodRow {
+  Method method;
+  SegmentKind kind;
+  size_t segment_bytes;
+  unsigned ends;  // a bit for each End condition that set_ends takes
+  bool has_tangents, has_reference;
+  bool needs_omega, needs_alpha;  // rates at all keys
+  size_t workspace_per_key;
+  Outcome (*build)(Construction&);
+
+  bool accepts_end(End condition) const;
+};
+
+// nullptr where the method is unknown.
+const MethodRow* find_method(Method method);
+
+}  // namespace qtraj

@@ -1,0 +1,100 @@
+#include "methods/options.hpp"
+
+#include "base/floating.hpp"
+#include "methods/method.hpp"
+
+namespace qtraj {
+namespace {
+
+bool in_range(int32_t value, int32_t first, int32_t last) { return value >= first && value <= last; }
+
+template <class Vector>
+bool load_finite(const double* from, Vector& to) {
+  for (int k = 0; k < Vector::RowsAtCompileTime; ++k) {
+    if (!is_finite(from[k])) return false;
+    to[k] = from[k];
+  }
+  return true;
+}
+
+// Whether `omega` is there where the end needs it and only there.
+Status check_end_rate(const EndSetting& end, const double* omega) {
+  if (end.condition == End::given && !omega) return Status::null;
+  if (end.condition != End::given && omega) return Status::option;
+  return Status::ok;
+}
+
+void set_end(EndSetting& end, End condition) {
+  end.condition = condition;
+  if (condition != End::given) end.has_rate = false;
+}
+
+}  // namespace
+
+Status Options::make(Method method, Options& out) {
+  if (!find_method(method)) return Status::option;
+  out = Options{};
+  out.method = method;
+  return Status::ok;
+}
+
+Status Options::set_ends(End start_condition, End end_condition) {
+  const MethodRow& row = *find_method(method);
+  const bool one_closed = (start_condition == End::periodic) != (end_condition == End::periodic);
+  if (!row.accepts_end(start_condition) || !row.accepts_end(end_condition) || one_closed) return Status::option;
+  set_end(start, start_condition);
+  set_end(end, end_condition);
+  return Status::ok;
+}
+
+Status Options::set_end_rates(Frame frame, const double* omega_start, const double* omega_end) {
+  const Status at_start = check_end_rate(start, omega_start), at_end = check_end_rate(end, omega_end);
+  if (at_start == Status::null || at_end == Status::null) return Status::null;
+  if (!find_method(method)->accepts_end(End::given) || !is_known(frame)) return Status::option;
+  if (at_start != Status::ok || at_end != Status::ok) return Status::option;
+
+  Vector3 start_rate = start.omega, end_rate = end.omega;
+  if (omega_start && !load_finite(omega_start, start_rate)) return Status::not_finite;
+  if (omega_end && !load_finite(omega_end, end_rate)) return Status::not_finite;
+  rate_frame = frame;
+  start.omega = start_rate;
+  end.omega = end_rate;
+  start.has_rate = omega_start != nullptr;
+  end.has_rate = omega_end != nullptr;
+  return Status::ok;
+}
+
+Status Options::set_tangents(Tangent rule) {
+  const bool known = in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Tangent::given));
+  if (!find_method(method)->has_tangents || !known) return Status::option;
+  tangents = rule == Tangent::standard ? Tangent::catmull_rom : rule;
+  return Status::ok;
+}
+
+Status Options::set_reference(Reference rule, const double* q_wb) {
+  const bool known = in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Reference::given));
+  if (rule == Reference::given && !q_wb) return Status::null;
+  if (!find_method(method)->has_reference || !known) return Status::option;
+  if (rule != Reference::given && q_wb) return Status::option;
+  if (rule == Reference::given) {
+    Quaternion q;
+    if (!load_finite(q_wb, q)) return Status::not_finite;
+    if (largest_component(q) == 0) return Status::zero_norm;
+    reference_q = q;
+  }
+  reference = rule == Reference::standard ? Reference::first : rule;
+  return Status::ok;
+}
+
+Status Options::set_extrapolation(Extrapolate before, Extrapolate after) {
+  const auto known = [](Extrapolate rule) {
+    return in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Extrapolate::periodic));
+  };
+  const bool one_wraps = (before == Extrapolate::periodic) != (after == Extrapolate::periodic);
+  if (!known(before) || !known(after) || one_wraps) return Status::option;
+  start.extrapolate = before;
+  end.extrapolate = after;
+  return Status::ok;
+}
+
+}  // namespace qtraj

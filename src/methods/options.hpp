@@ -1,0 +1,40 @@
+// A method and its settings. Every setter checks at once and fails without effect, so that a valid object stays valid.
+#pragma once
+
+#include "base/settings.hpp"
+#include "base/status.hpp"
+#include "math/quaternion.hpp"
+
+namespace qtraj {
+
+// What happens at one end of the keys.
+struct EndSetting {
+  End condition = End::standard;
+  bool has_rate = false;
+  Vector3 omega = Vector3::Zero();  // in rate_frame, where has_rate
+  Extrapolate extrapolate = Extrapolate::error;
+};
+
+struct Options {
+  Method method = {};
+  EndSetting start, end;
+  Frame rate_frame = Frame::body;
+  Tangent tangents = Tangent::catmull_rom;
+  Reference reference = Reference::first;
+  Quaternion reference_q = Quaternion::Zero();  // where reference is given
+
+  // option where the method is unknown.
+  static Status make(Method method, Options& out);
+
+  Status set_ends(End start_condition, End end_condition);
+  // nullptr for an end that is not given, [3] for one that is.
+  Status set_end_rates(Frame frame, const double* omega_start, const double* omega_end);
+  Status set_tangents(Tangent rule);
+  Status set_reference(Reference rule, const double* q_wb);
+  Status set_extrapolation(Extrapolate before, Extrapolate after);
+
+  bool closed() const { return start.condition == End::periodic; }
+  bool wraps() const { return start.extrapolate == Extrapolate::periodic; }
+};
+
+}  // namespace qtraj

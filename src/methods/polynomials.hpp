@@ -1,0 +1,53 @@
+// Polynomials in s = 2u - 1 from their ends, and the rotation-vector segments made of them.
+#pragma once
+
+#include "curve/segment.hpp"
+#include "math/quaternion.hpp"
+
+namespace qtraj {
+
+// Value, h times the first and h^2 times the second derivative at both ends of a segment; vectors of any length.
+template <class Vector>
+struct EndValues {
+  Vector value[2];
+  Vector first[2];
+  Vector second[2];
+};
+
+// The cubic through values and first derivatives: c[0] + c[1] s + c[2] s^2 + c[3] s^3, s = 2u - 1.
+template <class Vector>
+void cubic_through(const EndValues<Vector>& ends, Vector (&c)[4]) {
+  const Vector half_step = 0.5 * (ends.value[1] - ends.value[0]);
+  const Vector first_mean = 0.25 * (ends.first[1] + ends.first[0]),
+               first_change = 0.25 * (ends.first[1] - ends.first[0]);
+  c[3] = 0.5 * (first_mean - half_step);
+  c[2] = 0.5 * first_change;
+  c[1] = half_step - c[3];
+  c[0] = 0.5 * (ends.value[0] + ends.value[1]) - c[2];
+}
+
+// The quintic through values and both derivatives. `half_step` and `middle`, half the difference and half the sum of
+// the values, are given: callers know them better than rounded values tell.
+template <class Vector>
+void quintic_through(const EndValues<Vector>& ends, const Vector& half_step, const Vector& middle, Vector (&c)[6]) {
+  const Vector first_mean = 0.25 * (ends.first[1] + ends.first[0]),
+               first_change = 0.25 * (ends.first[1] - ends.first[0]);
+  const Vector second_mean = 0.125 * (ends.second[1] + ends.second[0]),
+               second_change = 0.125 * (ends.second[1] - ends.second[0]);
+  const Vector excess = first_mean - half_step;
+  c[5] = 0.125 * (second_change - 3.0 * excess);
+  c[4] = 0.125 * (second_mean - first_change);
+  c[3] = 0.5 * excess - 2.0 * c[5];
+  c[2] = 0.5 * first_change - 2.0 * c[4];
+  c[1] = half_step - c[3] - c[5];
+  c[0] = middle - c[2] - c[4];
+}
+
+// Half-angle vectors p at the ends, in full: p, h p', h^2 p''. Fills the segment and gives a bound of |p| over it.
+double set_cubic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<3>& segment);
+double set_quintic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<5>& segment);
+
+// The range of kernels for |p| up to a bound.
+ExponentRange range_of(double bound);
+
+}  // namespace qtraj

@@ -1,0 +1,87 @@
+// The equations for the rates of a ROTATION_SPLINE at its knots: rotation_spline.hpp states them.
+#pragma once
+
+#include "base/times.hpp"
+#include "math/block_tridiagonal.hpp"
+#include "math/so3.hpp"
+#include "methods/method.hpp"
+
+namespace qtraj {
+
+// The equation of a knot, multiplied by h_before h_after/(4 (h_before + h_after)): its weights are then shares of
+// intervals, right = h_after/(h_before + h_after) and left, and nothing overflows. Its unknown is d_i = A_{i-1} w_i,
+// the rate of the rotation vector at the end of the segment before, instead of w_i = J_i d_i, J_i = Jr(R_{i-1}): what
+// stands above the diagonal is then a number. At the start of an open curve R_{-1} = 0, d_0 = w_0, J_0 = 1.
+//   (right/2) J_i J_{i-1} d_{i-1} + J_i d_i + (left/2) d_{i+1} + (right h_{i-1}/4) beta(R_{i-1}, d_i)
+//     = (3/2) (right R_{i-1}/h_{i-1} + left R_i/h_i).
+// A natural end is the same with the share outside 0 and the other 1; a fixed rate with both 0 and itself on the right.
+struct RateEquation {
+  double saved[3];         // a copy of d to go back to
+  double reach;            // h_before h_after/(4 (h_before + h_after)); 0 where the rate is fixed
+  double chord_rate;       // largest component of R/h on both sides
+  double local_rate;       // the larger of that and the largest component of w
+  double limit;            // of the components of w
+  double jacobian[9];      // J_i
+  double w[3], d[3];       // the rates
+  double r[3], h;          // of the segment before
+  TurningFactors turning;  // right/4 times those of beta
+  double constant[3];      // the right side
+  double upper;            // left/2
+  double lower[9];         // (right/2) J_i J_{i-1}
+};
+
+// Working space: the equations, and the elimination's vector and two matrices.
+static_assert(sizeof(RateEquation) == (kRotationSplineWorkspacePerKey - 3 - 2 * 9) * sizeof(double));
+
+// The equations for the rates, beta weighted by a factor from 0 to 1, and what solving them needs.
+class RateEquations {
+ public:
+  explicit RateEquations(Construction& construction);
+
+  // The equations, and the rates that are fixed by end conditions, the others 0.
+  Outcome prepare();
+  // Matrix of the Newton step from the present rates; false where it is singular.
+  bool factorize(double weight);
+  // One step with that matrix, its size relative to the rates around each knot. False where it cannot be taken.
+  bool step(double weight, double& size);
+  // To go back to, and how far the rates have moved since, relative as in step.
+  void save();
+  void restore();
+  double change_from_saved() const;
+  // Largest jump of alpha that is left, in units of the largest of |alpha| and |omega|/h.
+  double residual() const;
+
+  // R of a segment, and r' at its ends.
+  Vector3 r(size_t segment) const { return load(rows_[end_of(segment)].r); }
+  Vector3 start_rate(size_t segment) const { return load(rows_[segment].w); }
+  Vector3 end_rate(size_t segment) const { return load(rows_[end_of(segment)].d); }
+  // Body rate at a knot.
+  Vector3 w(size_t knot) const { return load(rows_[knot == unknowns_ ? 0 : knot].w); }
+
+ private:
+  struct System;
+
+  bool closed() const { return construction_.options.closed(); }
+  double h(size_t segment) const { return keys_.step(segment); }
+  // Knots and segments beside a knot, going on with the other end of the curve; in an open one that has no weight.
+  size_t previous(size_t knot) const { return knot == 0 ? unknowns_ - 1 : knot - 1; }
+  size_t next(size_t knot) const { return knot + 1 == unknowns_ ? 0 : knot + 1; }
+  size_t end_of(size_t segment) const { return next(segment); }
+
+  const EndSetting* open_end(size_t knot) const;
+  IntervalShares shares(size_t knot) const;
+  Outcome fix_end(size_t knot);
+  void prepare_segments();
+  void prepare_row(size_t knot);
+
+  double scale_at(const RateEquation& row) const;
+
+  Construction& construction_;
+  const Keyframes& keys_;
+  const size_t unknowns_;  // a closed curve has one rate for its first and last knot
+  RateEquation* rows_;     // [unknowns_]
+  BlockSpace space_;
+  double fastest_ = 0;  // the largest of the rates at knots and chords
+};
+
+}  // namespace qtraj

@@ -1,0 +1,99 @@
+// What kernels over rows take: callers' arrays and what goes with them. All have one signature,
+//   size_t kernel(const Rows& rows, size_t first, size_t count),
+// do rows from `first` on and return how many: up to `count`, or to one that is not ordinary (row_loop.hpp), which the
+// core then does by itself. The row alone decides whether it is ordinary.
+#pragma once
+
+#include "base/array.hpp"
+#include "base/settings.hpp"
+#include "math/block_sum.hpp"
+
+namespace qtraj {
+
+template <class Rows>
+using RowKernel = size_t (*)(const Rows& rows, size_t first, size_t count);
+
+// q between a and b.
+struct PairRows {
+  Input<4> a, b;
+  Input<1> fraction;
+  Path path;
+  Output<4> q;
+};
+
+struct RotateRows {
+  Input<4> q_wb;
+  Input<3> v_body;
+  Output<3> v_world;
+};
+
+struct NormalizeRows {
+  Input<4> q;
+  Output<4> q_out;
+};
+
+// Signs continued from the row before `first`, which is done; flips counts the rows that are changed.
+struct ContinuousRows {
+  Input<4> q;
+  Output<4> q_out;
+  size_t* flips;
+};
+
+// Keys made unit; worst_norm_error is raised to how far their lengths are from 1.
+struct UnitKeyRows {
+  Input<4> q;
+  double (*unit)[4];
+  double (*unit_error)[4];  // what the rounding of unit left
+  double* worst_norm_error;
+};
+
+// Rotations from a to b, unit quaternions of double with what their rounding left. All rows are ordinary.
+struct RelativeRotationRows {
+  Input<4> a, a_error, b, b_error;
+  double (*rotation)[4];  // sin_part and angle (so3.hpp)
+};
+
+// Numbers in records, `stride` numbers from one to the next: pointers are to those of the first record. A rotation
+// vector of more than half a turn is not ordinary.
+struct JacobianRecords {
+  const double* r;   // [3], a rotation vector
+  double* jacobian;  // [9], Jr(r), column after column
+  double* turning;   // [3], the factors of beta
+  size_t stride;
+};
+
+// Samples of a mean.
+struct SampleRows {
+  Input<4> q;
+  Input<1> weights;     // data null: all 1
+  double weight_scale;  // a power of two
+  bool is_padded;       // weights of 0 are those of rows that fill up the last lanes
+};
+
+// Weights up to one that is not finite or negative; `largest` is raised to them.
+struct WeightRows {
+  Input<1> weights;
+  double* largest;
+};
+
+// Sums over samples in whole blocks (block_sum.hpp), up to one with a sample that is not ordinary or has weight 0, or
+// whose rows do not fill the lanes. Weights are finite and not negative.
+//
+// Scatter: the upper triangle of sum w q q^T, q made unit, row by row.
+using ScatterSums = BlockSum<10>;
+struct ScatterRows {
+  SampleRows samples;
+  ScatterSums* sums;
+};
+// In the notation of log_moments.hpp: W, f, sum w r, the upper triangle of sum w (1 - d cot d) u u^T; largest d^2.
+struct LogSums {
+  BlockSum<11> sums;
+  double largest_square = 0;
+};
+struct LogRows {
+  SampleRows samples;
+  const double* base;  // [4], unit
+  LogSums* sums;
+};
+
+}  // namespace qtraj

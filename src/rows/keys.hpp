@@ -1,0 +1,167 @@
+// Normalisation and rotation row by row. Plain arithmetic: the same bits in the core and in kernels of either
+// arithmetic.
+#pragma once
+
+#include "math/half_angle.hpp"
+#include "math/relative_rotation.hpp"
+#include "math/unit_quaternion.hpp"
+#include "math/vector_algebra.hpp"
+#include "rows/row_loop.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Number>
+size_t normalize(const NormalizeRows& rows, size_t first, size_t count) {
+  return do_rows<Number>(rows.q.is_float, first, count, [&](size_t row, auto real) {
+    using Real = decltype(real);
+    Number a[4];
+    if (!load_rows<Real>(rows.q, row, a)) return false;
+    store_rows(unit_of(a).value, static_cast<Real*>(rows.q_out.data), row);
+    return true;
+  });
+}
+
+template <class Number>
+size_t rotate(const RotateRows& rows, size_t first, size_t count) {
+  return do_rows<Number>(rows.v_body.is_float, first, count, [&](size_t row, auto real) {
+    using Real = decltype(real);
+    Number a[4], v[3];
+    if (!load_rows<Real>(rows.q_wb, row, a) || !load_rows<Real>(rows.v_body, row, v)) return false;
+    rotate_to_world<Plain>(unit_of(a).value, v);
+    store_rows(v, static_cast<Real*>(rows.v_world.data), row);
+    return true;
+  });
+}
+
+// ---- Keys made continuous in sign, many at once: a key is flipped where the number of opposed neighbours up to it is
+// odd.
+
+// Rows `row` - 1, done and written, and `row`, `row` + 1, ..., as they are given; false where one is not ordinary.
+template <class Real, class Number>
+QTRAJ_INLINE bool load_neighbours(const ContinuousRows& rows, size_t row, Number (&previous)[4], Number (&q)[4]) {
+  if (!load_rows<Real>(rows.q, row, q)) return false;
+  double window[kLanesOf<Number>][4], before[4];
+  if (!load_rows<Real>(written(rows.q_out), row - 1, before)) return false;
+  std::memcpy(window[0], before, sizeof before);
+  double given[4];
+  for (size_t lane = 1; lane < kLanesOf<Number>; ++lane) {
+    convert_rows(static_cast<const Real*>(rows.q.data), row + lane - 1, given);
+    std::memcpy(window[lane], given, sizeof given);
+  }
+  convert_rows(window[0], 0, previous);
+  return true;
+}
+
+// Bit i: whether an odd number of the bits 0 .. i is set.
+inline unsigned parities(unsigned bits) {
+  for (unsigned shift = 1; shift < 8 * sizeof bits; shift *= 2) bits ^= bits << shift;
+  return bits;
+}
+
+template <class Real, class Number>
+QTRAJ_INLINE bool continue_rows(const ContinuousRows& rows, size_t row) {
+  Number previous[4], q[4];
+  if (!load_neighbours<Real>(rows, row, previous, q)) return false;
+  // the rounding of a dot product is below 4 eps of the lengths: its sign is that of the exact one
+  const Number cosine = dot_product<Plain>(previous, q), zero(0.0);
+  const Number least = Number(0x1p-80) * dot_product<Plain>(previous, previous) * dot_product<Plain>(q, q);
+  if (!all(least < cosine * cosine)) return false;
+
+  const unsigned flipped = parities(lane_bits(cosine < zero)) & ((1u << kLanesOf<Number>)-1);
+  const auto is_flipped = lanes_of(flipped, Number());
+  for (Number& component : q) component = select(is_flipped, -component, component);
+  *rows.flips += static_cast<size_t>(__builtin_popcount(flipped));
+  store_rows(q, static_cast<Real*>(rows.q_out.data), row);
+  return true;
+}
+
+template <class Number>
+size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count) {
+  return do_rows<Number>(rows.q.is_float, first, count,
+                         [&](size_t row, auto real) { return continue_rows<decltype(real), Number>(rows, row); });
+}
+
+// ---- What constructors need of all keyframes, many at once. Plain arithmetic: the same bits in the core and in
+// kernels of either arithmetic.
+
+// Whether a component is so small, but not 0, that the error of a product with it may not be exact. Vectors find that
+// error by a fused step where there is one, single rows never: the two then differ.
+template <class Number>
+QTRAJ_INLINE bool has_tiny(const Number (&q)[4]) {
+  const Number zero(0.0), least(0x1p-440);
+  const auto is_tiny = [&](Number component) {
+    const Number magnitude = absolute(component);
+    return (zero < magnitude) & (magnitude < least);
+  };
+  return any((is_tiny(q[0]) | is_tiny(q[1])) | (is_tiny(q[2]) | is_tiny(q[3])));
+}
+
+template <class Number>
+size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count) {
+  return do_rows_for_largest<Number>(rows.q.is_float, first, count, *rows.worst_norm_error,
+                                     [&](size_t row, Number& worst, auto real) {
+                                       Number q[4];
+                                       if (!load_rows<decltype(real)>(rows.q, row, q) || has_tiny(q)) return false;
+                                       const UnitOf<Number> unit = unit_of(q);
+                                       store_rows(unit.value, rows.unit[0], row);
+                                       store_rows(unit.error, rows.unit_error[0], row);
+                                       worst = maximum(worst, absolute(unit.length.value - Number(1.0)));
+                                       return true;
+                                     });
+}
+
+template <class Number>
+size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count) {
+  return do_rows<Number>(false, first, count, [&](size_t row, auto) {
+    Number a[4], a_error[4], b[4], b_error[4];
+    read_numbers<double>(rows.a, row, a);
+    read_numbers<double>(rows.a_error, row, a_error);
+    read_numbers<double>(rows.b, row, b);
+    read_numbers<double>(rows.b_error, row, b_error);
+    const RelativeRotationOf<Number> rotation = relative_rotation_of(a, a_error, b, b_error);
+    const Number numbers[] = {rotation.sin_part[0], rotation.sin_part[1], rotation.sin_part[2], rotation.angle};
+    store_rows(numbers, rows.rotation[0], row);
+    return true;
+  });
+}
+
+// Between records and vectors that hold the same number of several records.
+template <class Number, size_t Width>
+QTRAJ_INLINE void load_strided(const double* from, size_t stride, Number (&to)[Width]) {
+  double lanes[Width][kLanesOf<Number>];
+  for (size_t lane = 0; lane < kLanesOf<Number>; ++lane)
+    for (size_t k = 0; k < Width; ++k) lanes[k][lane] = from[lane * stride + k];
+  for (size_t k = 0; k < Width; ++k) to[k] = load_lanes(lanes[k], Number());
+}
+template <class Number, size_t Width>
+QTRAJ_INLINE void store_strided(const Number (&from)[Width], double* to, size_t stride) {
+  double lanes[Width][kLanesOf<Number>];
+  for (size_t k = 0; k < Width; ++k) store_lanes(from[k], lanes[k]);
+  for (size_t lane = 0; lane < kLanesOf<Number>; ++lane)
+    for (size_t k = 0; k < Width; ++k) to[lane * stride + k] = lanes[k][lane];
+}
+
+template <class Number>
+QTRAJ_INLINE bool jacobian_rows(const JacobianRecords& records, size_t row) {
+  const size_t at = row * records.stride;
+  Number r[3], jacobian[9];
+  load_strided(records.r + at, records.stride, r);
+  const Number y = Number(0.25) * dot_product<Plain>(r, r);
+  if (!all(y <= Number(kPolynomialLimit))) return false;
+  const RateFactors<Number> factors = polynomial_factors(y);
+  const TurningFactorsOf<Number> turning = turning_factors_of(factors);
+  jacobian_of(factors, turning.sideways, r, jacobian);
+  store_strided(jacobian, records.jacobian + at, records.stride);
+  const Number numbers[] = {turning.along_once, turning.along_twice, turning.sideways};
+  store_strided(numbers, records.turning + at, records.stride);
+  return true;
+}
+
+template <class Number>
+size_t jacobians(const JacobianRecords& records, size_t first, size_t count) {
+  return do_rows<Number>(false, first, count, [&](size_t row, auto) { return jacobian_rows<Number>(records, row); });
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,157 @@
+// Rows of a caller's arrays as numbers of double: one row, or (wide_rows.hpp) as many side by side as a vector has
+// lanes. Functions over such rows do the ordinary ones; what is left goes back to the core, which knows all cases.
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+
+#include "math/arithmetic.hpp"
+#include "math/error_free.hpp"
+#include "rows/arguments.hpp"
+
+namespace qtraj {
+namespace {
+
+template <class Number>
+constexpr size_t kLanesOf = 1;
+
+// Lanes as bits, the first the lowest, and back.
+QTRAJ_INLINE unsigned lane_bits(bool condition) { return condition ? 1 : 0; }
+QTRAJ_INLINE bool lanes_of(unsigned bits, double) { return bits != 0; }
+
+// As many numbers from an array as there are lanes.
+QTRAJ_INLINE double load_lanes(const double* from, double) { return *from; }
+QTRAJ_INLINE void store_lanes(double a, double* to) { *to = a; }
+
+// The largest lane.
+template <class Number>
+QTRAJ_INLINE double largest_lane(Number a) {
+  double lanes[kLanesOf<Number>];
+  store_lanes(a, lanes);
+  double largest = lanes[0];
+  for (const double lane : lanes) largest = largest < lane ? lane : largest;
+  return largest;
+}
+
+// Ordinary rows have a largest component of 2^-120 to 2^120: nothing made of it overflows, also in float, or loses
+// digits. Told by the bits, as a comparison with NaN would raise FE_INVALID.
+constexpr uint64_t kLeastOrdinary = uint64_t{1023 - 120} << 52, kPastOrdinary = uint64_t{1023 + 120} << 52;
+constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52,
+                   kInfinityBits = uint64_t{2047} << 52;
+
+inline uint64_t bits_of(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+template <size_t Size>
+QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
+  uint64_t largest = 0;
+  for (const double component : v) {
+    const uint64_t magnitude = bits_of(component) & kMagnitudeBits;
+    largest = magnitude > largest ? magnitude : largest;
+  }
+  return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
+}
+
+// Whether a component is of magnitude 2 or more, or NaN: these alone have the highest bit of the exponent set.
+constexpr uint64_t kTwoBit = uint64_t{1} << 62;
+
+template <size_t Size>
+QTRAJ_INLINE bool reaches_two(const double (&v)[Size]) {
+  uint64_t bits = 0;
+  for (const double component : v) bits |= bits_of(component);
+  return (bits & kTwoBit) != 0;
+}
+
+// 0 < fraction < 1.
+QTRAJ_INLINE bool is_inside(double fraction) { return bits_of(fraction) - 1 < kOneBits - 1; }
+
+template <class Real, size_t Width>
+QTRAJ_INLINE void convert_rows(const Real* from, size_t row, double (&to)[Width]) {
+  for (size_t k = 0; k < Width; ++k) to[k] = static_cast<double>(from[Width * row + k]);
+}
+template <class Real, size_t Width>
+QTRAJ_INLINE void store_rows(const double (&from)[Width], Real* to, size_t row) {
+  for (size_t k = 0; k < Width; ++k) to[Width * row + k] = static_cast<Real>(from[k]);
+}
+
+// Floats are asked before they are converted, as a signalling NaN would raise FE_INVALID; of doubles their conversion
+// asks nothing.
+template <class Number, size_t Width>
+QTRAJ_INLINE bool can_convert(const double*, size_t, const Number (&)[Width]) {
+  return true;
+}
+template <size_t Width>
+QTRAJ_INLINE bool can_convert(const float* from, size_t row, const double (&)[Width]) {
+  bool finite = true;
+  for (size_t k = 0; k < Width; ++k) finite = finite && is_finite(from[Width * row + k]);
+  return finite;
+}
+
+// Whether one row serves all.
+template <size_t Width>
+QTRAJ_INLINE bool is_repeated(const Input<Width>& array) {
+  return array.rows == 1;
+}
+
+// What was written, to be read.
+template <size_t Width>
+QTRAJ_INLINE Input<Width> written(const Output<Width>& array) {
+  return {array.data, array.rows, array.is_float};
+}
+
+// Rows `row`, `row + 1`, ... of an array, or its only row that serves all; numbers that can be converted.
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE void read_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  const Real* from = static_cast<const Real*>(array.data);
+  if (!is_repeated(array)) return convert_rows(from, row, to);
+  double one[Width];
+  convert_rows(from, 0, one);
+  for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
+}
+
+// The same; false where numbers may be not finite, and `to` then is not to be used.
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  const Real* from = static_cast<const Real*>(array.data);
+  const double one[Width] = {};
+  if (is_repeated(array) ? !can_convert(from, 0, one) : !can_convert(from, row, to)) return false;
+  read_numbers<Real>(array, row, to);
+  return true;
+}
+
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  return load_numbers<Real>(array, row, to) && all(is_ordinary(to));
+}
+template <class Real, class Number>
+QTRAJ_INLINE bool load_fractions(const Input<1>& array, size_t row, Number (&to)[1]) {
+  return load_numbers<Real>(array, row, to) && all(is_inside(to[0]));
+}
+
+// Calls `operation(row, real)`, which does as many rows from that one on as a Number has lanes, real's type being that
+// of the arrays, until fewer rows are left or it is false: it has then done nothing. How many rows it did.
+template <class Number, class Operation>
+size_t do_rows(bool is_float, size_t first, size_t count, const Operation& operation) {
+  const auto do_rows_of = [&](auto real) {
+    size_t row = first;
+    while (row + kLanesOf<Number> <= count && operation(row, real)) row += kLanesOf<Number>;
+    return row - first;
+  };
+  return is_float ? do_rows_of(float()) : do_rows_of(double());
+}
+
+// The same with `operation(row, largest, real)`, which raises `largest`, a Number, to what it finds in rows.
+template <class Number, class Operation>
+size_t do_rows_for_largest(bool is_float, size_t first, size_t count, double& largest, const Operation& operation) {
+  Number raised(largest);
+  const size_t rows =
+      do_rows<Number>(is_float, first, count, [&](size_t row, auto real) { return operation(row, raised, real); });
+  largest = largest_lane(raised);
+  return rows;
+}
+
+}  // namespace
+}  // namespace qtraj

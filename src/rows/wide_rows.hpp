@@ -1,0 +1,145 @@
+// Rows of a caller's arrays side by side: vectors of double, also of arrays of float.
+#pragma once
+
+#include "rows/row_loop.hpp"
+#include "simd/transpose.hpp"
+
+namespace qtraj {
+namespace {
+
+template <>
+constexpr size_t kLanesOf<Wide<double>> = Wide<double>::kLanes;
+
+QTRAJ_INLINE unsigned lane_bits(WideMask<double> mask) {
+  uint8_t bits[8] = {};
+  hn::StoreMaskBits(Wide<double>::Tag(), mask.lanes, bits);
+  return bits[0];
+}
+QTRAJ_INLINE WideMask<double> lanes_of(unsigned bits, Wide<double>) {
+  const uint8_t bytes[8] = {static_cast<uint8_t>(bits)};
+  return {hn::LoadMaskBits(Wide<double>::Tag(), bytes)};
+}
+
+QTRAJ_INLINE Wide<double> load_lanes(const double* from, Wide<double>) { return Wide<double>::load(from); }
+QTRAJ_INLINE void store_lanes(Wide<double> a, double* to) { a.store(to); }
+
+// As many floats as a vector has doubles.
+using FloatTag = hn::Rebind<float, Wide<double>::Tag>;
+
+QTRAJ_INLINE Wide<double> promoted(hn::Vec<FloatTag> lanes) {
+  return Wide<double>::of(hn::PromoteTo(Wide<double>::Tag(), lanes));
+}
+QTRAJ_INLINE hn::Vec<FloatTag> demoted(Wide<double> a) { return hn::DemoteTo(FloatTag(), a.lanes); }
+
+QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[1]) {
+  to[0] = Wide<double>::load(from + row);
+}
+QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[3]) {
+  hn::LoadInterleaved3(Wide<double>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
+}
+QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
+#if HWY_TARGET == HWY_AVX3
+  // any 8 of 16 numbers are one instruction: two fields of four rows, then one of eight
+  const auto load = [&](size_t lane) { return _mm512_loadu_pd(from + 4 * (row + lane)); };
+  const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13),
+                last = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
+  const __m512d rows01 = load(0), rows23 = load(2), rows45 = load(4), rows67 = load(6);
+  const __m512d low01 = _mm512_permutex2var_pd(rows01, first, rows23);
+  const __m512d low23 = _mm512_permutex2var_pd(rows01, last, rows23);
+  const __m512d high01 = _mm512_permutex2var_pd(rows45, first, rows67);
+  const __m512d high23 = _mm512_permutex2var_pd(rows45, last, rows67);
+  to[0].lanes.raw = _mm512_insertf64x4(low01, _mm512_castpd512_pd256(high01), 1);
+  to[1].lanes.raw = _mm512_shuffle_f64x2(low01, high01, 0xee);
+  to[2].lanes.raw = _mm512_insertf64x4(low23, _mm512_castpd512_pd256(high23), 1);
+  to[3].lanes.raw = _mm512_shuffle_f64x2(low23, high23, 0xee);
+#else
+  const double* rows[Wide<double>::kLanes];
+  for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane) rows[lane] = from + 4 * (row + lane);
+  load_records(rows, to);
+#endif
+}
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[1]) {
+  to[0] = promoted(hn::LoadU(FloatTag(), from + row));
+}
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[3]) {
+  hn::Vec<FloatTag> v0, v1, v2;
+  hn::LoadInterleaved3(FloatTag(), from + 3 * row, v0, v1, v2);
+  to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2);
+}
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[4]) {
+  hn::Vec<FloatTag> v0, v1, v2, v3;
+  hn::LoadInterleaved4(FloatTag(), from + 4 * row, v0, v1, v2, v3);
+  to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2), to[3] = promoted(v3);
+}
+
+template <size_t Width>
+QTRAJ_INLINE bool can_convert(const float* from, size_t row, const Wide<double> (&)[Width]) {
+  const hn::RebindToUnsigned<FloatTag> tag;
+  const auto exponent = hn::Set(tag, 0x7f800000u);
+  auto largest = hn::Zero(tag);
+  for (size_t k = 0; k < Width; ++k) {
+    const auto bits = hn::BitCast(tag, hn::LoadU(FloatTag(), from + Width * row + k * Wide<double>::kLanes));
+    largest = hn::Max(largest, hn::And(bits, exponent));
+  }
+  return hn::AllFalse(tag, hn::Eq(largest, exponent));
+}
+
+template <size_t Width>
+QTRAJ_INLINE void store_rows(const Wide<double> (&from)[Width], double* to, size_t row) {
+  store_interleaved(from, to + Width * row);
+}
+QTRAJ_INLINE void store_rows(const Wide<double> (&from)[3], float* to, size_t row) {
+  hn::StoreInterleaved3(demoted(from[0]), demoted(from[1]), demoted(from[2]), FloatTag(), to + 3 * row);
+}
+QTRAJ_INLINE void store_rows(const Wide<double> (&from)[4], float* to, size_t row) {
+  hn::StoreInterleaved4(demoted(from[0]), demoted(from[1]), demoted(from[2]), demoted(from[3]), FloatTag(),
+                        to + 4 * row);
+}
+
+// ---- Bits of doubles ----
+
+using BitsTag = hn::RebindToUnsigned<Wide<double>::Tag>;
+
+QTRAJ_INLINE WideMask<double> is_in_order(uint64_t least, hn::Vec<BitsTag> bits, uint64_t past) {
+  // as signed integers, which every target compares
+  const IndexTag tag;
+  const auto value = hn::BitCast(tag, bits);
+  const auto at_least = hn::Gt(value, hn::Set(tag, static_cast<int64_t>(least - 1)));
+  return {
+      hn::RebindMask(Wide<double>::Tag(), hn::And(at_least, hn::Lt(value, hn::Set(tag, static_cast<int64_t>(past)))))};
+}
+
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
+  // the halves of largest magnitude; the limits are told by the upper ones alone
+  const hn::Repartition<uint32_t, Wide<double>::Tag> halves;
+  const BitsTag tag;
+  auto largest = hn::Zero(halves);
+  for (const Wide<double>& component : v) {
+    const auto magnitude = hn::And(hn::BitCast(tag, component.lanes), hn::Set(tag, kMagnitudeBits));
+    largest = hn::Max(largest, hn::BitCast(halves, magnitude));
+  }
+  return is_in_order(kLeastOrdinary >> 32, hn::ShiftRight<32>(hn::BitCast(tag, largest)), kPastOrdinary >> 32);
+}
+
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> reaches_two(const Wide<double> (&v)[Size]) {
+  const BitsTag tag;
+  auto bits = hn::BitCast(tag, v[0].lanes);
+  for (size_t k = 1; k < Size; ++k) bits = hn::Or(bits, hn::BitCast(tag, v[k].lanes));
+  return {hn::RebindMask(Wide<double>::Tag(), hn::TestBit(bits, hn::Set(tag, kTwoBit)))};
+}
+
+// Hides that of single numbers.
+using qtraj::is_finite;
+QTRAJ_INLINE WideMask<double> is_finite(Wide<double> a) {
+  const BitsTag tag;
+  return is_in_order(0, hn::And(hn::BitCast(tag, a.lanes), hn::Set(tag, kMagnitudeBits)), kInfinityBits);
+}
+
+QTRAJ_INLINE WideMask<double> is_inside(Wide<double> fraction) {
+  return is_in_order(1, hn::BitCast(BitsTag(), fraction.lanes), kOneBits);
+}
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,161 @@
+// Between memory, where the numbers of a row stand together, and vectors, one for each number of many rows: gathered,
+// loaded and transposed, interleaved and stored.
+#pragma once
+
+#include "simd/wide.hpp"
+
+namespace qtraj {
+namespace {
+
+// ---- Gathering and loading ----
+
+// Lanes of int64 that accompany a vector of double.
+using IndexTag = hn::RebindToSigned<Wide<double>::Tag>;
+using Indices = hn::Vec<IndexTag>;
+
+// x86 gathers merge into a register, and one that may be any waits for whatever was left in it: these merge into 0.
+#if HWY_TARGET == HWY_AVX3
+QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) {
+  return Indices{_mm512_mask_i64gather_epi64(_mm512_setzero_si512(), 0xff, at.raw, from, 8)};
+}
+QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
+  return Wide<double>::of({_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, at.raw, from, 8)});
+}
+#elif HWY_TARGET == HWY_AVX2
+QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) {
+  const __m256i all = _mm256_set1_epi64x(-1);
+  const auto* numbers = reinterpret_cast<const long long*>(from);
+  return Indices{_mm256_mask_i64gather_epi64(_mm256_setzero_si256(), numbers, at.raw, all, 8)};
+}
+QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
+  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
+  return Wide<double>::of({_mm256_mask_i64gather_pd(_mm256_setzero_pd(), from, at.raw, all, 8)});
+}
+#else
+QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) { return hn::GatherIndex(IndexTag(), from, at); }
+QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
+  return Wide<double>::of(hn::GatherIndex(Wide<double>::Tag(), from, at));
+}
+#endif
+
+// Fields first..first + 3 (vectors of two lanes: + 1) of one record for each lane: rows are loaded and transposed,
+// which is several times faster than to gather field by field.
+constexpr size_t kTransposed = HWY_LANES(double) < 4 ? 2 : 4;
+
+QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(double)], size_t first,
+                                  Wide<double>* fields) {
+  const Wide<double>::Tag tag;
+#if HWY_MAX_BYTES == 16
+  const auto row0 = hn::LoadU(tag, records[0] + first), row1 = hn::LoadU(tag, records[1] + first);
+  fields[0].lanes = hn::InterleaveLower(tag, row0, row1);
+  fields[1].lanes = hn::InterleaveUpper(tag, row0, row1);
+#elif HWY_MAX_BYTES == 32
+  // two fields of one record and of the next but one
+  const hn::Half<Wide<double>::Tag> half;
+  const auto pairs = [&](size_t lane, size_t field) {
+    return hn::Combine(tag, hn::LoadU(half, records[lane + 2] + field), hn::LoadU(half, records[lane] + field));
+  };
+  for (size_t k = 0; k < 4; k += 2) {
+    const auto even = pairs(0, first + k), odd = pairs(1, first + k);
+    fields[k].lanes = hn::InterleaveLower(tag, even, odd);
+    fields[k + 1].lanes = hn::InterleaveUpper(tag, even, odd);
+  }
+#else
+  const hn::Half<Wide<double>::Tag> half;
+  const auto row = [&](size_t lane) {
+    return hn::Combine(tag, hn::LoadU(half, records[lane + 4] + first), hn::LoadU(half, records[lane] + first));
+  };
+  // blocks of two lanes: [f0 of 0, 1][f2 of 0, 1] ...
+  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+  const auto even01 = hn::InterleaveLower(tag, row0, row1), odd01 = hn::InterleaveUpper(tag, row0, row1);
+  const auto even23 = hn::InterleaveLower(tag, row2, row3), odd23 = hn::InterleaveUpper(tag, row2, row3);
+  fields[0].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(even23), even01);
+  fields[1].lanes = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd23), odd01);
+  fields[2].lanes = hn::OddEvenBlocks(even23, hn::SwapAdjacentBlocks(even01));
+  fields[3].lanes = hn::OddEvenBlocks(odd23, hn::SwapAdjacentBlocks(odd01));
+#endif
+}
+
+// All fields; the last group may overlap the one before, so that nothing past a record is read.
+template <size_t Fields>
+QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)], Wide<double> (&fields)[Fields]) {
+  for (size_t first = 0; first + kTransposed <= Fields; first += kTransposed)
+    load_transposed(records, first, fields + first);
+  if constexpr (Fields % kTransposed != 0)
+    load_transposed(records, Fields - kTransposed, fields + Fields - kTransposed);
+}
+
+// ---- Storing ----
+
+#if HWY_TARGET == HWY_AVX3
+// AVX-512 takes any lanes of two vectors by one instruction: rows of four by 8 of them where unpacking takes 12, rows
+// of three by 6 instead of 9.
+template <class Real>
+struct LaneTable {
+  static constexpr size_t kLanes = Wide<Real>::kLanes;
+  alignas(64) hwy::MakeSigned<Real> lanes[kLanes];  // those of the second vector follow those of the first
+};
+
+// `group` lanes of the first vector, as many of the second, and so on; both from lane `begin` on.
+template <class Real>
+constexpr LaneTable<Real> alternating(size_t begin, size_t group) {
+  LaneTable<Real> table = {};
+  for (size_t lane = 0; lane < table.kLanes; ++lane) {
+    const size_t turn = lane / group, from = begin + turn / 2 * group + lane % group;
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(turn % 2 * table.kLanes + from);
+  }
+  return table;
+}
+
+// Rows of three, for the vector of memory of that number: its lanes of component 1 from the second vector, then those
+// of component 2. The others come from the first vector: before, where their rows stand; then as they are in place.
+template <class Real>
+constexpr LaneTable<Real> of_three(size_t number, size_t component) {
+  LaneTable<Real> table = {};
+  for (size_t lane = 0; lane < table.kLanes; ++lane) {
+    const size_t at = number * table.kLanes + lane, row = at / 3, other = component == 1 ? row : lane;
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(at % 3 == component ? table.kLanes + row : other);
+  }
+  return table;
+}
+
+QTRAJ_INLINE Wide<double> pick(Wide<double> first, const LaneTable<double>& table, Wide<double> second) {
+  return Wide<double>::of({_mm512_permutex2var_pd(first.lanes.raw, _mm512_load_si512(table.lanes), second.lanes.raw)});
+}
+QTRAJ_INLINE Wide<float> pick(Wide<float> first, const LaneTable<float>& table, Wide<float> second) {
+  return Wide<float>::of({_mm512_permutex2var_ps(first.lanes.raw, _mm512_load_si512(table.lanes), second.lanes.raw)});
+}
+
+template <class Real>
+QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[4], Real* to) {
+  constexpr size_t kLanes = Wide<Real>::kLanes;
+  static constexpr LaneTable<Real> kLower = alternating<Real>(0, 1), kUpper = alternating<Real>(kLanes / 2, 1);
+  static constexpr LaneTable<Real> kLowerPairs = alternating<Real>(0, 2),
+                                   kUpperPairs = alternating<Real>(kLanes / 2, 2);
+  const Wide<Real> lower01 = pick(v[0], kLower, v[1]), lower23 = pick(v[2], kLower, v[3]);
+  const Wide<Real> upper01 = pick(v[0], kUpper, v[1]), upper23 = pick(v[2], kUpper, v[3]);
+  pick(lower01, kLowerPairs, lower23).store(to);
+  pick(lower01, kUpperPairs, lower23).store(to + kLanes);
+  pick(upper01, kLowerPairs, upper23).store(to + 2 * kLanes);
+  pick(upper01, kUpperPairs, upper23).store(to + 3 * kLanes);
+}
+template <class Real>
+QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
+  constexpr size_t kLanes = Wide<Real>::kLanes;
+  static constexpr LaneTable<Real> kFirstTwo[] = {of_three<Real>(0, 1), of_three<Real>(1, 1), of_three<Real>(2, 1)};
+  static constexpr LaneTable<Real> kLast[] = {of_three<Real>(0, 2), of_three<Real>(1, 2), of_three<Real>(2, 2)};
+  for (size_t k = 0; k < 3; ++k) pick(pick(v[0], kFirstTwo[k], v[1]), kLast[k], v[2]).store(to + k * kLanes);
+}
+#else
+template <class Real>
+QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[4], Real* to) {
+  hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, typename Wide<Real>::Tag(), to);
+}
+template <class Real>
+QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
+  hn::StoreInterleaved3(v[0].lanes, v[1].lanes, v[2].lanes, typename Wide<Real>::Tag(), to);
+}
+#endif
+
+}  // namespace
+}  // namespace qtraj

@@ -1,0 +1,45 @@
+// What the files that are compiled for every target have in common. CMake compiles each of them once more for each
+// target, with its flags and these names:
+//   QTRAJ_TARGET      the namespace of its functions: avx2, ..., scalar, scalar_fused
+//   QTRAJ_ARITHMETIC  Plain or Fused
+//   QTRAJ_SCALAR      the namespace of scalar code in that arithmetic
+//   QTRAJ_VECTORS     for all but scalar code: the name that Highway has for the target
+#pragma once
+
+#include "math/arithmetic.hpp"
+#include "simd/vzeroupper.hpp"
+#include "targets/kernels.hpp"
+
+#if defined(QTRAJ_VECTORS)
+#include "rows/wide_rows.hpp"
+#endif
+
+namespace qtraj {
+namespace {
+
+using Arithmetic = QTRAJ_ARITHMETIC;
+
+// What rows are done in, and how: rows in vectors first, then those that these leave one after the other.
+#if defined(QTRAJ_VECTORS)
+static_assert(HWY_TARGET == QTRAJ_VECTORS, "compiled with the flags of another target");
+
+using Number = Wide<double>;
+
+template <auto vectors, auto scalar, class Rows>
+QTRAJ_INLINE size_t run_rows(const Rows& rows, size_t first, size_t count) {
+  const VzeroupperAtExit at_exit;
+  const size_t done = vectors(rows, first, count);
+  return first + done < count ? done + scalar(rows, first + done, count) : done;
+}
+#else
+using Number = double;
+
+template <auto scalar, auto, class Rows>
+QTRAJ_INLINE size_t run_rows(const Rows& rows, size_t first, size_t count) {
+  const VzeroupperAtExit at_exit;
+  return scalar(rows, first, count);
+}
+#endif
+
+}  // namespace
+}  // namespace qtraj

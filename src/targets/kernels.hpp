@@ -1,0 +1,53 @@
+// The kernels: the same functions in the namespace of every target, compiled from the same files for each.
+//
+// Times and rows that vectors leave are done one after the other by scalar code of the same arithmetic. In plain
+// arithmetic that is the target scalar; scalar_fused is there for the fused targets alone.
+#pragma once
+
+#include "curve/sample_call.hpp"
+#include "rows/arguments.hpp"
+#include "targets/targets.hpp"
+
+namespace qtraj {
+
+#define QTRAJ_DECLARE_KERNELS(name, arithmetic, runs_here, unused)                         \
+  namespace name {                                                                         \
+  SampleFunction<double> sample;                                                           \
+  SampleFunction<float> sample;                                                            \
+  size_t slerp(const PairRows& pairs, size_t first, size_t count);                         \
+  size_t nlerp(const PairRows& pairs, size_t first, size_t count);                         \
+  size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \
+  size_t normalize(const NormalizeRows& rows, size_t first, size_t count);                 \
+  size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count);          \
+  size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count);                   \
+  size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count); \
+  size_t jacobians(const JacobianRecords& records, size_t first, size_t count);            \
+  size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count);             \
+  size_t add_scatter(const ScatterRows& rows, size_t first, size_t count);                 \
+  size_t add_logs(const LogRows& rows, size_t first, size_t count);                        \
+  }
+QTRAJ_EACH_TARGET(QTRAJ_DECLARE_KERNELS, )
+QTRAJ_DECLARE_KERNELS(scalar_fused, fused, , )
+#undef QTRAJ_DECLARE_KERNELS
+
+// The curve of one segment: rates in the body frame.
+struct SegmentMotion {
+  double q[4], omega[3], alpha[3];
+};
+
+// What no vector is for: one sample; a row of double within a segment; and the motion there, up to its very ends, of
+// which only the rates wanted are written, false where one of these overflows.
+#define QTRAJ_DECLARE_SCALAR(name)                                                                     \
+  namespace name {                                                                                     \
+  SampleAtFunction<double> sample_at;                                                                  \
+  SampleAtFunction<float> sample_at;                                                                   \
+  Status evaluate_in_double(const Trajectory& trajectory, size_t segment, double elapsed, bool negate, \
+                            const SampleOutputs<double>& outputs, size_t row);                         \
+  bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega,  \
+                      bool wants_alpha, SegmentMotion& motion);                                        \
+  }
+QTRAJ_DECLARE_SCALAR(scalar)
+QTRAJ_DECLARE_SCALAR(scalar_fused)
+#undef QTRAJ_DECLARE_SCALAR
+
+}  // namespace qtraj

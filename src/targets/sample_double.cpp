@@ -1,0 +1,52 @@
+// Sampling into double. Compiled for every target; into double and into float apart, as each takes the compiler long.
+#include "targets/compiled.hpp"
+
+#if defined(QTRAJ_VECTORS)
+#include "curve/sample_many.hpp"
+#else
+#include "curve/sample_one.hpp"
+#endif
+
+namespace qtraj {
+namespace QTRAJ_TARGET {
+
+#if defined(QTRAJ_VECTORS)
+
+Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+               const SampleOutputs<double>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_many<Arithmetic, double, QTRAJ_SCALAR::sample, QTRAJ_SCALAR::sample_at>(trajectory, times, count,
+                                                                                        cursor, outputs);
+}
+
+#else
+
+Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+               const SampleOutputs<double>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_one_by_one<Arithmetic, double, evaluate_in_double>(trajectory, times, count, cursor, outputs);
+}
+
+Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<double>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_one<Arithmetic, double, evaluate_in_double>(trajectory, time, cursor, outputs);
+}
+
+Status evaluate_in_double(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
+                          const SampleOutputs<double>& outputs, size_t row) {
+  const VzeroupperAtExit at_exit;
+  return row_evaluator<Arithmetic, double, evaluate_in_double>(trajectory, outputs)(trajectory, segment, elapsed,
+                                                                                    negate, outputs, row);
+}
+
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
+                    SegmentMotion& motion) {
+  const SampleOutputs<double> outputs = {motion.q, wants_omega ? motion.omega : nullptr,
+                                         wants_alpha ? motion.alpha : nullptr, Frame::body};
+  return evaluate_in_double(trajectory, segment, elapsed, false, outputs, 0) == Status::ok;
+}
+
+#endif
+
+}  // namespace QTRAJ_TARGET
+}  // namespace qtraj

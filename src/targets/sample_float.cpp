@@ -1,0 +1,38 @@
+// Sampling into float. Compiled for every target; into double and into float apart, as each takes the compiler long.
+#include "targets/compiled.hpp"
+
+#if defined(QTRAJ_VECTORS)
+#include "curve/sample_many.hpp"
+#else
+#include "curve/sample_one.hpp"
+#endif
+
+namespace qtraj {
+namespace QTRAJ_TARGET {
+
+#if defined(QTRAJ_VECTORS)
+
+Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+               const SampleOutputs<float>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_many<Arithmetic, float, QTRAJ_SCALAR::sample, QTRAJ_SCALAR::sample_at>(trajectory, times, count, cursor,
+                                                                                       outputs);
+}
+
+#else
+
+Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+               const SampleOutputs<float>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_one_by_one<Arithmetic, float, evaluate_in_double>(trajectory, times, count, cursor, outputs);
+}
+
+Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<float>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_one<Arithmetic, float, evaluate_in_double>(trajectory, time, cursor, outputs);
+}
+
+#endif
+
+}  // namespace QTRAJ_TARGET
+}  // namespace qtraj

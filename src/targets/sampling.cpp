@@ -1,0 +1,21 @@
+#include "targets/sampling.hpp"
+
+namespace qtraj {
+
+SampleFunction<double>* const sample_double_by_target[] = QTRAJ_OF_EACH_TARGET(sample);
+SampleFunction<float>* const sample_float_by_target[] = QTRAJ_OF_EACH_TARGET(sample);
+
+namespace {
+
+// The namespaces of scalar code by their arithmetic.
+namespace of_plain = scalar;
+namespace of_fused = scalar_fused;
+
+}  // namespace
+
+#define QTRAJ_SAMPLE_AT(name, arithmetic, runs_here, unused) of_##arithmetic::sample_at,
+SampleAtFunction<double>* const sample_at_double_by_target[] = {QTRAJ_EACH_TARGET(QTRAJ_SAMPLE_AT, )};
+SampleAtFunction<float>* const sample_at_float_by_target[] = {QTRAJ_EACH_TARGET(QTRAJ_SAMPLE_AT, )};
+#undef QTRAJ_SAMPLE_AT
+
+}  // namespace qtraj

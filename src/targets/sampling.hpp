@@ -1,0 +1,33 @@
+// Sampling by the target that runs.
+#pragma once
+
+#include "targets/kernels.hpp"
+
+namespace qtraj {
+
+extern SampleFunction<double>* const sample_double_by_target[kTargetCount];
+extern SampleFunction<float>* const sample_float_by_target[kTargetCount];
+extern SampleAtFunction<double>* const sample_at_double_by_target[kTargetCount];
+extern SampleAtFunction<float>* const sample_at_float_by_target[kTargetCount];
+
+inline Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+                      const SampleOutputs<double>& outputs) {
+  return sample_double_by_target[target()](trajectory, times, count, cursor, outputs);
+}
+inline Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
+                      const SampleOutputs<float>& outputs) {
+  return sample_float_by_target[target()](trajectory, times, count, cursor, outputs);
+}
+inline Status sample_at(const Trajectory& trajectory, double time, size_t& cursor,
+                        const SampleOutputs<double>& outputs) {
+  return sample_at_double_by_target[target()](trajectory, time, cursor, outputs);
+}
+inline Status sample_at(const Trajectory& trajectory, double time, size_t& cursor,
+                        const SampleOutputs<float>& outputs) {
+  return sample_at_float_by_target[target()](trajectory, time, cursor, outputs);
+}
+
+// In plain arithmetic whatever runs: what diagnostics are made of.
+using scalar::segment_motion;
+
+}  // namespace qtraj
