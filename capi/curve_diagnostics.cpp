@@ -1,6 +1,5 @@
 #include "arguments.hpp"
 #include "diagnostics/curve.hpp"
-#include "diagnostics/least_norm.hpp"
 #include "methods/options.hpp"
 
 using namespace qtraj;

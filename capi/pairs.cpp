@@ -1,8 +1,7 @@
 #include "functions/pairs.hpp"
 
 #include "arguments.hpp"
-#include "functions/squad_controls.hpp"
-#include "functions/squad_segment.hpp"
+#include "functions/squad.hpp"
 
 using namespace qtraj;
 using namespace qtraj::capi;

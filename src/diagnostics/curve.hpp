@@ -26,4 +26,10 @@ struct Peak {
 Outcome peak_omega(const Trajectory& trajectory, Peak& peak);
 Outcome peak_alpha(const Trajectory& trajectory, Peak& peak);
 
+// Smallest norm of a normalised segment before it is normalised, and where; 1 at the first knot for other kinds.
+struct LeastNorm {
+  double norm, time;
+};
+LeastNorm least_norm(const Trajectory& trajectory);
+
 }  // namespace qtraj

@@ -1,7 +1,7 @@
 #include "functions/algebra.hpp"
 
-#include "math/double_double.hpp"
 #include "math/scaled.hpp"
+#include "math/trigonometry.hpp"
 #include "targets/kernels.hpp"
 
 namespace qtraj {

@@ -2,8 +2,8 @@
 
 #include <cfloat>
 
-#include "math/double_double.hpp"
 #include "math/scaled.hpp"
+#include "math/trigonometry.hpp"
 
 namespace qtraj {
 namespace {

@@ -40,4 +40,10 @@ Normalized normalize(const Quaternion& q) {
   return result;
 }
 
+DoubleDouble precise_length(const Quaternion& a) {
+  if (largest_component(a) == 0) return {0, 0};
+  const PreciseLength<double> length = precise_length_of({a[0], a[1], a[2], a[3]});
+  return {length.value, length.error};
+}
+
 }  // namespace qtraj

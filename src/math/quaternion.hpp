@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "math/eigen.hpp"
+#include "math/error_free.hpp"
 
 namespace qtraj {
 
@@ -84,6 +85,9 @@ struct Normalized {
 // q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double, to
 // 1e-200.
 Normalized normalize(const Quaternion& q);
+
+// |a| to 1e-30 relative; the largest component as scale_for leaves it.
+DoubleDouble precise_length(const Quaternion& a);
 
 inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {
   return (a.value - b.value) + (a.error - b.error);

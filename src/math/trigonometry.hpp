@@ -23,10 +23,20 @@ SinCos sin_cos(double x);
 // The sign of a zero is not looked at: atan2(-0.0, -1.0) is pi.
 double atan2(double y, double x);
 
+// The same to more digits than double holds, so that what is made of them rounds once. A double-double is a sum of two
+// doubles, the second at most 2 eps of the first.
+//
+// Angle of the point (x, y), rad, for y >= 0: in [0, pi], to 0.2 eps relative. |x|, |y| < 2^500.
+DoubleDouble precise_atan2(const DoubleDouble& y, const DoubleDouble& x);
+
+// Sine and cosine of an angle, rad, each to 1 eps, for |angle| <= 2^26; beyond, where the second double is too
+// large to correct by, those of the rounded sum.
+SinCos sin_cos(const DoubleDouble& angle);
+
 namespace {
 
 // ---- Sine, cosine and arctangent of double, or of a vector of it, in plain arithmetic: the same bits everywhere, and
-// for a vector those of its samples one by one. What they promise is in qtraj/elementary.hpp.
+// for a vector those of its samples one by one.
 
 // A polynomial without its first `skip` terms: callers add those last, so that they round once.
 template <class Number, size_t Terms>

@@ -1,5 +1,5 @@
 #include "math/so3.hpp"
-#include "methods/given_rates.hpp"
+#include "methods/key_rates.hpp"
 #include "methods/method.hpp"
 #include "methods/polynomials.hpp"
 

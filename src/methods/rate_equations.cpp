@@ -1,8 +1,7 @@
 #include "methods/rate_equations.hpp"
 
 #include "math/arithmetic.hpp"
-#include "methods/end_rate.hpp"
-#include "methods/given_rates.hpp"
+#include "methods/key_rates.hpp"
 #include "methods/key_rotations.hpp"
 #include "targets/kernels.hpp"
 

@@ -1,5 +1,5 @@
 #include "math/arc.hpp"
-#include "methods/end_rate.hpp"
+#include "methods/key_rates.hpp"
 #include "methods/method.hpp"
 
 namespace qtraj {

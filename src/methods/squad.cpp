@@ -1,7 +1,8 @@
-#include "functions/squad_controls.hpp"
+#include "functions/squad.hpp"
+
 #include "math/arc.hpp"
 #include "math/trigonometry.hpp"
-#include "methods/end_rate.hpp"
+#include "methods/key_rates.hpp"
 #include "methods/key_rotations.hpp"
 #include "methods/method.hpp"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/times.hpp"
-#include "methods/end_rate.hpp"
+#include "methods/key_rates.hpp"
 #include "methods/keyframes.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"

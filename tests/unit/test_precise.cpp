@@ -1,6 +1,6 @@
 #include <cfloat>
 
-#include "math/double_double.hpp"
+#include "math/trigonometry.hpp"
 #include "support/catch.hpp"
 #include "support/hard_inputs.hpp"
 

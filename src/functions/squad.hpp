@@ -1,10 +1,12 @@
-// The inner controls of SQUAD: tangent rule, its limit, and the controls that follow from the rate at a key.
+// SQUAD in its two steps: the inner controls of keys, which follow from the rates there, and one segment between them.
 #pragma once
 
 #include "base/settings.hpp"
 #include "functions/for_each_row.hpp"
 
 namespace qtraj {
+
+// ---- Controls ----
 
 // A neighbouring segment as a key sees it: the half-angle vector from its first key to its second, and its length.
 struct SquadChord {
@@ -34,7 +36,7 @@ Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate
 //
 // Error of a component below 2e-15; where a rate is shortened beside neighbours more than 3 rad apart on S^3, which
 // leaves the limit ill-defined, below 1e-7. Opposite neighbours: the controls of both are ambiguous, and the body turns
-// about its own x axis from one to the other (Slerp in pair.hpp).
+// about its own x axis from one to the other (Slerp in pairs.hpp).
 //
 // A key at fault makes the controls of its neighbours NaN too, unless these are the first or the last key. The
 // outcome's index is the first key that is not_finite, zero_norm, whose time is time_order or time_range (as those of
@@ -45,5 +47,23 @@ struct SquadKeyRows {
   Output<4> a, b;
 };
 Outcome squad_controls(const SquadKeyRows& keys, size_t count);
+
+// ---- One segment ----
+
+// One segment of SQUAD from its keys and controls, one row each, at fractions u of it (K. Shoemake, "Quaternion
+// calculus and fast animation", SIGGRAPH course 10, 1987):
+//   slerp(P, C; f),  f = 2u(1 - u),  P = slerp(q0, q1; u),  C = slerp(a, b; u),
+// every arc as the signs give it. Any real u: outside [0, 1] all three arcs go on along their great circles.
+//
+// P and C are rounded before the third slerp, which magnifies that where they are nearly opposite or f is large. With
+// phi the largest angle on S^3 of the three turns, u angle(q0, q1), u angle(a, b) and f angle(P, C), and with
+// m = cos(angle(P, C)/2), the error of a component is below 1e-15 (1 + |phi|)(1 + |f| / m) for |u| <= 1000; beyond,
+// results are finite and unit. Ambiguous where the ends of one of the three arcs are opposite, by the rule of Slerp.
+struct SquadSegmentRows {
+  Input<4> q0, q1, a, b;
+  Input<1> fraction;
+  Output<4> q;
+};
+Outcome squad_segment(const SquadSegmentRows& segment, size_t count);
 
 }  // namespace qtraj
