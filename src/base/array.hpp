@@ -1,13 +1,13 @@
-// A caller's array, the same from the C layer's check to the kernels: rows of `Width` numbers, float or double, one
-// after another, with no alignment but that of a number. Vector files include this header: plain data, and functions of
-// internal linkage.
+// A caller's array, as it goes from the checks of the C layer down to the kernels: contiguous rows of `Width` numbers,
+// float or double, aligned like a number and no more. Kernels include this header: it holds plain data, and functions
+// of internal linkage (base/floating.hpp says why).
 #pragma once
 
 #include <cstddef>
 
 namespace qtraj {
 
-// Rows to read. One row alone serves all rows of a call.
+// Rows to read. An array of one row is broadcast to all rows of a call.
 template <size_t Width>
 struct Input {
   const void* data;
@@ -31,7 +31,7 @@ static inline Output<Width> output(Real* data, size_t rows) {
   return {data, rows, sizeof(Real) == sizeof(float)};
 }
 
-// Functions over rows of one and of two inputs take these.
+// Arguments of functions over rows with one input and with two.
 template <size_t InWidth, size_t OutWidth>
 struct UnaryRows {
   Input<InWidth> in;

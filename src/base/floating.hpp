@@ -1,5 +1,9 @@
-// What the arithmetic of every file rests on: IEEE 754 binary32 and binary64, each operation rounded once.
-// Vector files include this header: nothing in it may become a shared symbol, hence the internal linkage.
+// The floating-point assumptions of all files, checked at compile time: IEEE 754 binary32 and binary64, every operation
+// rounded once.
+//
+// Everything here has internal linkage. Kernels include this header, and they are compiled for several instruction
+// sets: of an inline function with external linkage (COMDAT) the linker keeps one copy for all callers, and if that is
+// the one compiled for AVX2, an older processor stops at an illegal instruction.
 #pragma once
 
 #include <cfloat>
@@ -15,7 +19,7 @@
 
 namespace qtraj {
 
-// Told by the bits: a comparison with NaN would raise FE_INVALID, which a caller may trap.
+// Tests the exponent bits: a comparison with a NaN would raise FE_INVALID, which a caller may trap.
 static inline bool is_finite(double value) {
   uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -28,15 +32,15 @@ static inline bool is_finite(float value) {
   return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-// One of two numbers. Vectors of numbers have functions of these names too (simd/wide.hpp), and a mask of lanes for
-// the condition.
+// Selection and conditions of one number. Vectors have overloads of the same names (simd/wide.hpp), whose condition is
+// a lane mask.
 static inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 static inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
 static inline bool any(bool condition) { return condition; }
 static inline bool all(bool condition) { return condition; }
 
-// A power of two that brings a finite value other than 0 to [1, 2); one from 2^1023 on to [2, 4), and one below 2^-1022
-// to [2^-51, 2), as there is no larger power.
+// The power of two that scales a finite value other than 0 to [1, 2). A value of 2^1023 and more comes to [2, 4), and a
+// subnormal one to [2^-51, 2): no normal power of two is small or large enough.
 static inline double normalizing_scale(double value) {
   uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -47,8 +51,8 @@ static inline double normalizing_scale(double value) {
   return scale;
 }
 
-// Nearest integer for |value| < 2^51, ties to even: no libm call and no conversion. Where the caller has set another
-// rounding mode, still an integer within one half. Number: double, or a vector of it.
+// The nearest integer for |value| < 2^51, ties to even, without a libm call or a conversion. In another rounding mode
+// the result is still an integer within one half of the value. Number: double, or a vector of it.
 template <class Number>
 static inline Number round_to_integer(Number value) {
   const Number shift(6755399441055744.0);  // 1.5 * 2^52: its last bit is worth 1

@@ -1,12 +1,12 @@
-// The constants of the API as types. Their numbers are those of qtraj.h, so that a caller's number becomes one of these
-// without translation; whether it is one is for the setters (methods/options.hpp) and is_known below.
+// The constants of the C API as enumerations. Their values are those of qtraj.h, so that a caller's number is cast, not
+// translated. The setters (methods/options.hpp) and is_known below check that it is a known one.
 #pragma once
 
 #include "qtraj.h"
 
 namespace qtraj {
 
-// Named where the table of methods (methods/method.cpp) gives them a meaning.
+// No enumerators: only the table of methods (methods/method.cpp) tells the methods apart.
 enum class Method : int32_t {};
 
 enum class Frame : int32_t { body = QTRAJ_FRAME_BODY, world = QTRAJ_FRAME_WORLD };

@@ -1,4 +1,4 @@
-// How a call ended.
+// How a call ended: a status, and the index of the element at fault.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace qtraj {
 
-// The codes of qtraj.h by shorter names: the C layer returns them as they are.
+// The codes of qtraj.h under shorter names. The C layer returns them as they are.
 enum class Status : int32_t {
   ok = QTRAJ_OK,
   null = QTRAJ_E_NULL,
@@ -31,7 +31,7 @@ enum class Status : int32_t {
 
 constexpr size_t kNoIndex = SIZE_MAX;
 
-// A status and the index of the element at fault; kNoIndex where no single element is.
+// A status and the index of the element at fault; kNoIndex where no single element is at fault.
 struct Outcome {
   Status status = Status::ok;
   size_t index = kNoIndex;

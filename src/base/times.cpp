@@ -11,7 +11,7 @@ Status check_knot(const double* times, size_t index) {
 
 Status check_time(double first, double previous, double time) {
   if (!(time > previous)) return Status::time_order;
-  // halves: their difference cannot overflow
+  // halved first, so that the difference cannot overflow
   if (0.5 * time - 0.5 * std::min(first, previous) > 0.5 * DBL_MAX) return Status::time_range;
   const double h = time - previous;
   if (h < 1.0 && h * h < 1.0 / DBL_MAX) return Status::time_order;
@@ -19,7 +19,7 @@ Status check_time(double first, double previous, double time) {
 }
 
 IntervalShares interval_shares(double h_before, double h_after) {
-  // halves: the sum of two intervals of a span near DBL_MAX may round up to infinity
+  // halved first: for a span near DBL_MAX the sum of the two intervals may round up to infinity
   const double half_span = 0.5 * h_before + 0.5 * h_after;
   return {0.5 * h_before / half_span, 0.5 * h_after / half_span};
 }

@@ -1,18 +1,18 @@
-// Knot times: what makes them valid.
+// Knot times: which ones are valid, and the relative lengths of neighbouring intervals.
 #pragma once
 
 #include "base/status.hpp"
 
 namespace qtraj {
 
-// Verdict on knot `index`, all finite and the knots before it valid: time_order where it does not come after the one
-// before, or so shortly that 1/h^2 overflows; time_range where the span from the first knot overflows.
+// Checks knot `index`; all times are finite, and the knots before it valid. time_order: the knot does not come after
+// the one before it, or so soon after it that 1/h^2 overflows. time_range: the span from the first knot overflows.
 Status check_knot(const double* times, size_t index);
-// The same for a time after `previous`, which need not come after `first`; all finite.
+// The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);
 
-// The shares of the two intervals around inner knot t1: right = (t2 - t1)/(t2 - t0), left = (t1 - t0)/(t2 - t0).
-// Splines are written in them rather than in the intervals, whose products can overflow.
+// Relative lengths of the two intervals around an inner knot t1: right = (t2 - t1)/(t2 - t0), left = (t1 - t0)/(t2 -
+// t0). The equations of splines use these shares, because products of the intervals themselves can overflow.
 struct IntervalShares {
   double left, right;
 };

@@ -1,4 +1,5 @@
-// The times of a chunk of a batch: read or made, checked, and brought into vectors.
+// The times of one chunk of a batch: read from the caller's array or generated, checked for order, and padded to whole
+// vectors. sample_many.hpp samples at them.
 #pragma once
 
 #include <cstring>
@@ -13,13 +14,13 @@ namespace {
 
 constexpr size_t kChunk = 512;
 
-// kLanes: how many samples are done at once, one vector of times or several.
+// kLanes: the lanes of a vector of samples, whose times fill one vector of doubles or two.
 template <size_t kLanes>
 class ChunkTimes {
  public:
   ChunkTimes(const TimeReader& source, size_t count) : source_(source), count_(count) {}
 
-  // The times of the rows from `first_row` on. Whether all are finite and in order, none before the one before it.
+  // Reads the times of `rows` rows from `first_row` on. Whether all are finite and none is before its predecessor.
   bool read(size_t first_row, size_t rows) {
     first_row_ = first_row;
     rows_ = rows;
@@ -36,8 +37,8 @@ class ChunkTimes {
   double operator[](size_t i) const { return times_[i]; }
   const double* from(size_t i) const { return times_ + i; }
 
-  // Copies the times to the buffer, where those outside the knots or not finite become the first knot, and the last
-  // vector is filled. Whether all were inside.
+  // Copies the times to the buffer, replaces those that are not finite or outside the knots by the first knot, and pads
+  // the last vector. Whether all were inside.
   QTRAJ_NOINLINE bool clamp(double first_knot, double last_knot) {
     const Time first(first_knot), last(last_knot);
     if (times_ != buffer_) std::memcpy(buffer_, times_, rows_ * sizeof(double));
@@ -54,8 +55,8 @@ class ChunkTimes {
     return all(all_inside);
   }
 
-  // First of the sorted times in [begin, rows) that is not before a knot. Vector by vector: where it is asked for often
-  // it is near, and halving steps would be guessed wrong.
+  // Index of the first of the sorted times in [begin, rows) that is not before a knot. A linear scan by vectors: where
+  // this is called often the answer is near, and a binary search would mispredict its branches.
   size_t first_at_or_after(double knot, size_t begin) const {
     const Time limit(knot);
     for (; rows_ - begin >= kTimeLanes; begin += kTimeLanes) {
@@ -66,8 +67,9 @@ class ChunkTimes {
     return begin;
   }
 
-  // The sorted times from `begin` to `end`, fewer than kLanes, filled up with the last of them. Written as vectors
-  // where so many times are left of the chunk: a load would wait until single numbers are in the cache.
+  // Copies the sorted times from `begin` to `end`, fewer than kLanes, and pads them with the last one. Whole vectors
+  // are stored where the chunk has so many times left: a vector load cannot be forwarded from several scalar stores, so
+  // that store forwarding would fail.
   void fill_up(size_t begin, size_t end, double (&filled)[kLanes]) const {
     if (rows_ - begin < kLanes) {
       for (size_t k = 0; k < kLanes; ++k) filled[k] = times_[begin + k < end ? begin + k : end - 1];
@@ -80,7 +82,7 @@ class ChunkTimes {
     }
   }
 
-  // Asks for the times a chunk ahead of a vector's: the next chunk begins with a look at all of them.
+  // Prefetches the times one chunk ahead of this vector's, because the next chunk begins with a pass over all of them.
   QTRAJ_INLINE void prefetch(size_t i) const {
     const double* const times = source_.source().array;
     const size_t row = first_row_ + i;
@@ -105,7 +107,7 @@ class ChunkTimes {
     }
   }
 
-  // Told by the bits: a comparison with NaN would raise FE_INVALID.
+  // Tests the exponent bits: a comparison with a NaN would raise FE_INVALID.
   QTRAJ_INLINE static WideMask<double> is_not_finite(Time time) {
     const hn::RebindToUnsigned<Time::Tag> bits;
     const auto exponent = hn::Set(bits, 0x7ff0000000000000u);
@@ -116,7 +118,7 @@ class ChunkTimes {
   using BitsOf = hn::Vec<Bits>;
   QTRAJ_INLINE static BitsOf bits_of_time(Time time) { return hn::BitCast(Bits(), time.lanes); }
 
-  // Whether, as integers that `key` makes of them, no time is above the one after it.
+  // Whether no time is above the one after it, compared as the integers that `key` makes of them.
   template <class Key>
   QTRAJ_INLINE bool ascend(const Key& key) const {
     constexpr size_t kBlock = 128;
@@ -126,7 +128,7 @@ class ChunkTimes {
     };
     const auto look_at = [&](size_t i) { look(Time::load(times_ + i), Time::load(times_ + i + 1)); };
     const size_t pairs = rows_ - 1, whole = pairs - pairs % kTimeLanes;
-    // times in no order are told from the first block
+    // an early exit after each block: of times in no order it takes the first one
     for (size_t block = 0; block < whole; block += kBlock) {
       const size_t end = block + kBlock < whole ? block + kBlock : whole;
       for (size_t i = block; i < end; i += kTimeLanes) look_at(i);
@@ -140,9 +142,10 @@ class ChunkTimes {
     return !any(found);
   }
 
-  // Times are ordered as their bits are where none is negative; else the bits of the negative ones, but their sign, are
-  // inverted first. NaN and infinities then stand at the ends. Not by comparing numbers, as NaN would raise FE_INVALID.
-  // -0 after 0 counts as disorder, which costs time and nothing else.
+  // Compares times by their bits, because a comparison of numbers would raise FE_INVALID for a NaN. Read as integers
+  // the bits are in the order of the times where none is negative; otherwise all bits but the sign of the negative ones
+  // are inverted first. NaN and infinities then sort to the ends, which are checked. -0 after 0 counts as disorder,
+  // which costs time and nothing else.
   bool are_in_order() const {
     if (!is_finite(times_[0]) || !is_finite(times_[rows_ - 1])) return false;
     if (!__builtin_signbit(times_[0])) return ascend([](Time time) { return bits_of_time(time); });

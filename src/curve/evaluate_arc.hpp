@@ -1,4 +1,4 @@
-// Arcs: q = m cos x + e sin x, |x| <= pi/4.
+// The evaluator of arcs (SLERP): q = m cos x + e sin x, |x| <= pi/4.
 #pragma once
 
 #include "curve/evaluator.hpp"
@@ -6,7 +6,7 @@
 namespace qtraj {
 namespace {
 
-// m c + e s.
+// q = m c + e s.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void combine(const Number (&m)[4], Number c, const Number (&e)[4], Number s, Number (&q)[4]) {
   for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(e[k], s, m[k] * c);
@@ -29,7 +29,7 @@ struct ArcEvaluator : EvaluatorDefaults {
     Number c, s;
   };
 
-  // Arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
+  // |x| <= pi/4, because arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
   template <class Mode, class Number>
   QTRAJ_INLINE void start(const ArcSegmentOf<Number>&, Number x, Partial<Number>& partial) const {
     const Number y = x * x;
@@ -43,7 +43,7 @@ struct ArcEvaluator : EvaluatorDefaults {
     combine<Arithmetic>(segment.m, partial.c, segment.e, partial.s, q);
   }
 
-  // Per unit of x the body turns by 2 about m* e.
+  // The body rate per unit of x is constant, 2 Im(m* e).
   template <class Mode, class Number>
   QTRAJ_INLINE void finish_rates(const ArcSegmentOf<Number>& segment, Number x, const Partial<Number>& partial, bool,
                                  Number (&q)[4], Rates<Number>& rates) const {

@@ -1,4 +1,4 @@
-// The evaluator of nested arcs, SQUAD.
+// The evaluator of nested arcs (SQUAD).
 #pragma once
 
 #include "curve/nested_arcs_rates.hpp"
@@ -6,7 +6,8 @@
 namespace qtraj {
 namespace {
 
-// Where segments of either kind stand side by side both forms are computed.
+// A segment is evaluated in the near form or in the general one (NestedArcsSegmentOf::near). Where lanes have segments
+// of both kinds, both forms are computed and one is selected lane by lane.
 template <class Arithmetic>
 struct NestedArcsEvaluator : EvaluatorDefaults {
   using EvaluatorDefaults::EvaluatorDefaults;
@@ -15,12 +16,14 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   using SegmentOf = NestedArcsSegmentOf<Value>;
 
   static constexpr int kWork = 3;
+  template <class Real>
+  static constexpr bool kOwnLoopWithRates = true;
   template <bool kWithRates>
   static constexpr bool kInTwoSteps = true;
 
   template <class Number>
   struct Partial {
-    ArcPair<Number> arcs;  // left alone where no rates are asked for
+    ArcPair<Number> arcs;  // not set without rates
     PointPair<Number> points;
   };
 
@@ -95,7 +98,7 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
     clear(points.p), clear(points.c);
     points.closeness = arcs.keys.c = arcs.keys.s = arcs.controls.c = arcs.controls.s = zero;
   }
-  // `values` stay where segments are near, and are the general ones elsewhere.
+  // `values` keep the lanes whose segments are near and get the general ones in all others.
   template <class Mask, class Number, size_t Size>
   QTRAJ_INLINE static void choose(Mask near, const Number (&general)[Size], Number (&values)[Size]) {
     for (size_t k = 0; k < Size; ++k) values[k] = select(near, values[k], general[k]);

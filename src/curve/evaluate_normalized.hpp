@@ -1,4 +1,4 @@
-// Polynomials in R^4, normalised.
+// The evaluator of normalised polynomials in R^4 (NLERP, QUATERNION_QUINTIC): q = p(x)/|p(x)|.
 #pragma once
 
 #include "curve/evaluator.hpp"
@@ -6,7 +6,8 @@
 namespace qtraj {
 namespace {
 
-// Square of the norm below which the polynomial counts as 0: its direction is nobody's intent, and 2/N could overflow.
+// The squared norm N below which the polynomial counts as 0: its direction is meaningless there, and 2/N could
+// overflow.
 template <class Real>
 constexpr Real zero_norm_squared() {
   return sizeof(Real) == sizeof(double) ? static_cast<Real>(0x1p-1000) : static_cast<Real>(0x1p-120);
@@ -32,7 +33,7 @@ struct NormalizedEvaluator : EvaluatorDefaults {
     partial.norm_squared = dot_product<Arithmetic>(partial.p, partial.p);
   }
 
-  // The identity where the polynomial passes through 0.
+  // Singular: the identity where the polynomial passes through 0.
   template <class Mode, class Number>
   QTRAJ_INLINE void finish(const SegmentOf<Number>&, Number, const Partial<Number>& partial, Number (&q)[4]) const {
     using Real = Element<Number>;
@@ -42,7 +43,7 @@ struct NormalizedEvaluator : EvaluatorDefaults {
     for (size_t k = 0; k < 4; ++k) q[k] = select(is_zero, k == 0 ? one : zero, partial.p[k] * inverse_norm);
   }
 
-  // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; 0 where p is.
+  // With N = |p|^2: omega_body = (2/N) Im(p* p'), alpha_body = (2/N) Im(p* p'') - omega_body N'/N; both 0 where p is 0.
   template <class Mode, class Number>
   QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number x, const Partial<Number>& partial,
                                  bool wants_alpha, Number (&q)[4], Rates<Number>& rates) const {

@@ -1,4 +1,5 @@
-// Rotation-vector polynomials: q = base exp(p(x)).
+// The evaluators of rotation-vector polynomials (LOG_SPLINE, ROTATION_SPLINE, HERMITE, ROTATION_QUINTIC):
+// q = base exp(p(x)).
 #pragma once
 
 #include "curve/evaluator.hpp"
@@ -13,12 +14,15 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   template <class Value>
   using SegmentOf = RotationVectorSegment<Degree, Value>;
 
+  template <class Real>
+  static constexpr bool kOwnLoopWithRates = Degree == 3 && sizeof(Real) == sizeof(double);
+
   explicit RotationVectorEvaluator(ExponentRange range) : doublings_(static_cast<int>(range)) {}
 
   template <class Number>
   struct Partial {
     Number p[3];
-    CosSinc<Number> of_unit;  // of |p|; left alone where rates are asked for
+    CosSinc<Number> of_unit;  // of |p|; not set with rates
   };
 
   template <class Mode, class Number>
@@ -53,13 +57,16 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
   int doublings_;  // |p| <= 2^doublings pi/2
 };
 
-// Any |p| below 2^500; Number of double.
+// For ExponentRange::any, any |p| below 2^500; Number of double.
 template <class Arithmetic, size_t Degree>
 struct LongRotationVectorEvaluator : EvaluatorDefaults {
   using EvaluatorDefaults::EvaluatorDefaults;
 
   template <class Value>
   using SegmentOf = RotationVectorSegment<Degree, Value>;
+
+  template <class Real>
+  static constexpr bool kOwnLoopWithRates = Degree == 3 && sizeof(Real) == sizeof(double);
   static constexpr int kWork = 3;
   static constexpr bool kSmallRates = false;
 

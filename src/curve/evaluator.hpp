@@ -1,16 +1,17 @@
-// What evaluators have in common. An evaluator samples segments of one kind, in two steps, so that several vectors can
-// be started before the first of them is finished (sample_many.hpp):
+// What evaluators have in common. An evaluator samples segments of one kind in two steps, start and finish, so that
+// several vectors can be started before the first of them is finished (sample_many.hpp):
 //   SegmentOf<Value>           the segment, its fields any kind of number
 //   scale(segment), offset(segment)
-//                              its parameter is x = (t - t_i) scale - offset; rates per unit of x take scale to time
-//   Partial<Number>            what the first step leaves
+//                              the parameter is x = (t - t_i) scale - offset; times scale, rates per unit of x are rates
+//                              in time
+//   Partial<Number>            the partial result that start hands to finish
 //   start<Mode>(segment, x, partial)
 //                              the first step
 //   finish<Mode>(segment, x, partial, q)
-//                              orientation
+//                              the orientation
 //   finish_rates<Mode>(segment, x, partial, wants_alpha, q, rates)
-//                              the same orientation, and rates in the body frame, per unit of x; alpha where it is
-//                              wanted, which the caller knows for all samples at once
+//                              the same orientation, and rates in the body frame per unit of x; alpha where wants_alpha,
+//                              which is the same for all samples of a call
 #pragma once
 
 #include "curve/segment.hpp"
@@ -19,7 +20,7 @@
 namespace qtraj {
 namespace {
 
-// With rates or without; kOneSegment: all lanes have the same segment.
+// Whether rates are evaluated, and whether all lanes have the same segment (kOneSegment).
 template <bool kRates, bool kOne>
 struct SampleMode {
   static constexpr bool kWithRates = kRates, kOneSegment = kOne;
@@ -27,23 +28,27 @@ struct SampleMode {
 
 struct EvaluatorDefaults {
   EvaluatorDefaults() = default;
-  // An evaluator is made from the range of the curve's exponents, which most do not need.
+  // Evaluators are constructed from the range of the curve's exponents, which most of them ignore.
   explicit EvaluatorDefaults(ExponentRange) {}
 
-  // Whether the offset is the second field of the segment, rather than 1. The scale is the first.
+  // Whether the offset is the second field of the segment; otherwise it is 1. The scale is the first field.
   static constexpr bool kHasOffset = false;
 
-  // Whether several vectors of a run are started before the first is finished (sample_many.hpp). Not where handing over
-  // what the first step leaves costs more than is gained.
+  // Whether several vectors of a run are started before the first is finished (sample_many.hpp). Not where storing and
+  // reloading the partial results costs more than the overlap gains.
   template <bool kWithRates>
   static constexpr bool kInTwoSteps = !kWithRates;
 
-  // How much there is to do for a sample without rates, from 1 for the least: in vectors of two lanes, gathering a
-  // segment for each lane costs more than little work gains.
+  // Cost of a sample without rates, from 1 for the cheapest kind. In vectors of two lanes, cheap samples gain less from
+  // vectors than it costs to gather a segment per lane.
   static constexpr int kWork = 2;
 
-  // Whether rates per unit of x are below 2^400 in all segments, so that a scale of at most 2^300 takes none of them
-  // out of range.
+  // Whether runs with rates have a loop of their own (sample_many.hpp), for the segment known to be one in all lanes.
+  template <class Real>
+  static constexpr bool kOwnLoopWithRates = false;
+
+  // Whether rates per unit of x are below 2^400 in all segments, so that a scale of at most 2^300 cannot make them
+  // overflow.
   static constexpr bool kSmallRates = true;
 
   template <class Segment>
@@ -56,7 +61,8 @@ struct EvaluatorDefaults {
   }
 };
 
-// In double for float samples too: the difference of times and the scale may lie outside the range of float.
+// The parameter x. Float samples compute it in double too: the difference of times and the scale may be outside the
+// range of float.
 template <class Arithmetic, class Number>
 Number parameter(Number elapsed, Number scale, Number offset) {
   return Arithmetic::multiply_add(elapsed, scale, -offset);

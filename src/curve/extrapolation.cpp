@@ -19,10 +19,10 @@ void extrapolate(const Extrapolation& side, double time, double* q) {
 
 WrappedTime wrap_time(const Trajectory& trajectory, double time) {
   const double first = trajectory.before.knot, last = trajectory.after.knot;
-  // halves: neither time - first nor turns * period can overflow in them
+  // halved first, so that neither time - first nor turns * period can overflow
   const double half_period = 0.5 * last - 0.5 * first;
   const double half_distance = 0.5 * time - 0.5 * first;
-  // so far away that a period is less than the last digit of the distance
+  // so far away that the period is below the resolution of the distance
   if (std::abs(half_distance) * 0x1p-50 > half_period) return {first, false};
 
   const double quotient = half_distance / half_period;

@@ -5,10 +5,10 @@
 
 namespace qtraj {
 
-// q [4] at a time beyond the end that `side` belongs to, under HOLD and CONSTANT_RATE.
+// Writes q [4] at a time beyond the end that `side` belongs to, under HOLD and CONSTANT_RATE.
 void extrapolate(const Extrapolation& side, double time, double* q);
 
-// Time moved by whole periods into the knots, and whether the sign of q changes on the way there.
+// A time moved by whole periods to within the knots, and whether q changes its sign with that.
 struct WrappedTime {
   double time;
   bool negate;

@@ -1,6 +1,9 @@
-// Which segment a time belongs to, without a search over all knots: the span of the knots is cut into three times
-// as many equal buckets as there are segments, and each bucket tells the first segment that a time in it can belong to.
-// A few halving steps, the same number for every time, do the rest. DoubleDouble for any spacing of the knots; uneven
+// The lookup of a time: which segment it belongs to. All sampling looks its times up here, one by one by find_segment,
+// vectors of scattered times by the same steps (find_segments in sample_many.hpp).
+//
+// A guide replaces the binary search over all knots: their span is cut into three times as many equal buckets as there
+// are segments, and each bucket tells the first segment that a time in it can belong to. A few halving steps without
+// branches, the same number for every time, do the rest. The result is exact for any spacing of the knots; uneven
 // spacing costs steps, never more than log2 of the number of segments, rounded up.
 #pragma once
 
@@ -16,17 +19,17 @@ struct Guide {
   const uint64_t* first_candidate;  // [entries], one per bucket
   double start;                     // of the knots
   double scale;                     // buckets per second
-  size_t candidates;                // of each bucket, at least 1; all are segments
+  size_t candidates;                // segments from the first candidate on, the same number for all buckets, at least 1
 
-  // Three for each segment, so that the two that a time may come out in span less than one segment of even knots; and
-  // some for positions at the end.
+  // Three buckets per segment: rounding may put a time into either of two neighbours, and these together then span less
+  // than one segment of even knots. The three of the last knot are for positions at the end.
   static constexpr size_t entries(size_t knots) { return 3 * knots; }
 
-  // Time within the knots in units of a bucket.
+  // The position of a time within the knots, in units of a bucket.
   double position(double time) const { return (time - start) * scale; }
 
-  // One of the two integers beside the position, as the rounding mode has it. Adding 2^52 rounds to an integer and
-  // leaves it in the low bits.
+  // The position rounded to one of the two integers beside it, as the rounding mode has it. Adding 2^52 rounds to an
+  // integer and leaves it in the low bits of the mantissa.
   static constexpr double kShift = 0x1p52;
   static constexpr int64_t kBucketBits = (int64_t{1} << 52) - 1;
   uint64_t bucket(double time) const {
@@ -37,7 +40,7 @@ struct Guide {
   }
 };
 
-// Fills first_candidate [entries] for knots [count], tells scale and candidates. They hold in every rounding mode.
+// Fills first_candidate [entries] for knots [count] and sets scale and candidates. They hold in every rounding mode.
 void build_guide(const double* knots, size_t count, uint64_t* first_candidate, double& scale, size_t& candidates);
 
 // Knots of a trajectory with their guide.
@@ -54,8 +57,8 @@ static inline KnotIndex knot_index(const Trajectory& trajectory) {
            trajectory.guide_candidates}};
 }
 
-// Segment of a time within the knots: the one that starts at or last before it; at the last knot the last one.
-// Looked for first at the guess, which may be any number, and after it.
+// The segment of a time within the knots: the last one that starts at or before it; at the last knot the last segment.
+// The guess, any number, and the segment after it are tried first.
 static inline size_t find_segment(const KnotIndex& index, double time, size_t guess) {
   const double* knots = index.knots;
   if (guess < index.segments && knots[guess] <= time) {

@@ -1,5 +1,6 @@
-// Nested arcs, SQUAD: q = slerp(P(u), C(u); f), f = 2u(1 - u), P on the arc between the keys, C on that between the
-// controls; the two are any angle theta < pi apart.
+// Orientations on nested arcs (SQUAD): q = slerp(P(u), C(u); f), f = 2u(1 - u), P on the arc between the keys, C on
+// that between the controls; the two are any angle theta < pi apart. nested_arcs_rates.hpp has the rates, and
+// evaluate_nested_arcs.hpp makes an evaluator of both.
 #pragma once
 
 #include "curve/evaluate_arc.hpp"
@@ -7,8 +8,8 @@
 namespace qtraj {
 namespace {
 
-// Half of |P + C| below which they count as opposite. Above it the sum has digits enough for one Newton step to bring
-// the result to unit length; below, its direction is noise.
+// P and C count as opposite where |P + C|/2 is below this. Above it the sum has digits enough for one Newton step to
+// bring the result to unit length; below it its direction is noise.
 template <class Real>
 constexpr Real opposite_limit() {
   return sizeof(Real) == sizeof(double) ? static_cast<Real>(0x1p-26) : static_cast<Real>(0x1p-12);
@@ -57,7 +58,7 @@ QTRAJ_INLINE Number half_sum_squared(const Number (&p)[4], const Number (&c)[4])
 // slerp(p, c; f) for f in [0, 1/2] without an arc function of a rounded dot product. With z = cos(theta/2) = |p + c|/2
 // and g = G(1 - z) = (theta/2)/sin(theta/2):
 //   weight of c = sin(f theta)/sin theta = f g sinc(f theta)/z,  weight of p = cos(f theta) - cos theta (weight of c).
-// Opposite p and c: the great circle through p (0, 1, 0, 0), a turn about the body x axis.
+// Singular: for opposite p and c the great circle through p (0, 1, 0, 0) is taken, a turn about the body x axis.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void slerp_points(const Number (&p)[4], const Number (&c)[4], Number z_squared, Number f, Number (&q)[4]) {
   using Real = Element<Number>;
@@ -78,8 +79,8 @@ QTRAJ_INLINE void slerp_points(const Number (&p)[4], const Number (&c)[4], Numbe
   newton_normalize<Arithmetic>(q);
 }
 
-// Cosines and sines of both arcs at s. Written field by field: GCC copies a struct of vectors in pieces through memory,
-// and the loads that join them again wait for all that went before.
+// Cosines and sines of both arcs at s. Fields are written one by one: GCC copies a struct of vectors in pieces through
+// the stack, and store forwarding fails for the vector loads that join the pieces again.
 template <class Number>
 struct ArcPair {
   CosSin<Number> keys, controls;

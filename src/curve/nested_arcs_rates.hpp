@@ -7,7 +7,8 @@
 namespace qtraj {
 namespace {
 
-// A sum a0 c C + a1 c S + a2 s C + a3 s S over the products of the arcs' cosines and sines, and its derivatives in s.
+// The sum a0 c C + a1 c S + a2 s C + a3 s S over products of the arcs' cosines and sines, and its first two derivatives
+// in s.
 template <class Number>
 struct Jet {
   Number value, first, second;
@@ -27,8 +28,9 @@ QTRAJ_INLINE Jet<Number> product_sum(const NestedArcsSegmentOf<Number>& segment,
               twice * a0 - squares * a3)};
 }
 
-// H = theta/sin theta as a function of d = cos theta, and its first two derivatives: from the polynomial G(1 - d) where
-// the closed forms, H' = (d H - 1)/(1 - d^2) and H'' = (H + 3 d H')/(1 - d^2), would cancel, from these elsewhere.
+// H = theta/sin theta as a function of d = cos theta, and its first two derivatives. They come from the closed forms
+// H' = (d H - 1)/(1 - d^2) and H'' = (H + 3 d H')/(1 - d^2), and near d = 1, where these would cancel, from the
+// polynomial G(1 - d).
 template <class Arithmetic, class Polynomial, class Number>
 QTRAJ_INLINE Jet<Number> angle_over_sine_near_one(Number d) {
   using Real = Element<Number>;
@@ -47,7 +49,7 @@ template <class Arithmetic, class Number>
 QTRAJ_INLINE Jet<Number> angle_over_sine_by_quotients(Number d) {
   using Real = Element<Number>;
   const Number one = Number(Real(1));
-  // of half the angle, kept from a quarter turn of S^3, where H is infinite and no great circle is singled out
+  // cos^2(theta/2), kept away from 0: at theta = pi H is infinite and no great circle is singled out
   const Number limit = Number(opposite_limit<Real>() * opposite_limit<Real>());
   const Number half_sum = Number(Real(0.5)) * (one + d);
   const Number cosine_squared = select(limit < half_sum, half_sum, limit);
@@ -95,9 +97,9 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
   }
 }
 
-// With the rotation between the arcs written out, q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta, the
-// body rates are those of exp p and, turned by it, the constant one of P. v is a sum of four constant vectors times
-// products of the arcs' sines and cosines: differentiating the weights of slerp instead would cancel on short arcs.
+// q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta. The body rate of q is that of exp p plus the constant
+// rate of P, seen in the frame after exp p. v is a sum of four constant vectors times products of the arcs' sines and
+// cosines; differentiating the weights of slerp instead would cancel on short arcs.
 template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
                                     bool wants_alpha, Rates<Number>& rates) {
@@ -106,7 +108,7 @@ QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, 
   Rates<Number> inner;
   exponential_rates<Arithmetic>(jet, wants_alpha, inner);
 
-  // the outer arc's rate seen from behind exp p: turned by its inverse
+  // the outer arc's rate in the frame after exp p: rotated by exp(-p)
   Number carried[3];
   relative_vector_part<Arithmetic>(segment.keys.m, segment.keys.e, carried);
   for (Number& component : carried) component = component * (Number(Element<Number>(2)) * segment.keys.half_angle);

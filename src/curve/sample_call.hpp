@@ -1,4 +1,4 @@
-// What a call to sample passes: times, and arrays to write to.
+// The arguments of a sampling call: times, and arrays to write to.
 #pragma once
 
 #include "base/floating.hpp"
@@ -23,8 +23,8 @@ struct SampleOutputs {
   Frame frame;
 };
 
-// Samples at the times. Every row is written, one at fault with NaN; the outcome is that of the first at fault.
-// `cursor`, a segment index or any other number, says where to look first and receives a segment that was used.
+// Samples at the times. Every row is written, one at fault with NaN; the outcome is that of the first row at fault.
+// `cursor`, a segment index or any other number, says which segment to try first, and receives one that was used.
 template <class Real>
 using SampleFunction = Outcome(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
                                const SampleOutputs<Real>& outputs);
@@ -48,7 +48,7 @@ inline bool may_overflow(const TimeSource& times, size_t count) {
 // start + i step, or infinity instead of an overflow, which would raise FE_OVERFLOW.
 inline double uniform_time_guarded(const TimeSource& times, double i) {
   constexpr double kInfinity = __builtin_inf();
-  constexpr double kReduced = 0x1p-64;  // more than i has digits
+  constexpr double kReduced = 0x1p-64;  // i is below 2^64
   if (magnitude(i * (kReduced * times.step)) > kReduced * kLargest) return kInfinity;
   const double offset = i * times.step;
   if (magnitude(0.5 * times.start + 0.5 * offset) > 0.5 * kLargest) return kInfinity;
@@ -69,7 +69,7 @@ class TimeReader {
     return guarded_ ? uniform_time_guarded(times_, row) : times_.start + row * times_.step;
   }
 
-  // Whether times are start + i step without a second thought.
+  // Whether times are start + i step and none can overflow.
   bool is_plain_uniform() const { return !times_.array && finite_ && !guarded_; }
   const TimeSource& source() const { return times_; }
 
@@ -85,7 +85,7 @@ SampleOutputs<Real> from_row(const SampleOutputs<Real>& outputs, size_t row) {
   return {at(outputs.q, 4), at(outputs.omega, 3), at(outputs.alpha, 3), outputs.frame};
 }
 
-// Which rates a call asks for: an overflow of the others is none of its business.
+// Which rates a call asks for. An overflow of a rate that it does not ask for is no fault.
 struct RateRequest {
   Frame frame;
   bool omega, alpha;

@@ -1,8 +1,8 @@
-// Sampling many times at once, in vectors. Times are taken in chunks. A chunk of increasing times that stays for a
-// while in each segment is sampled run by run, the segment's numbers the same in all lanes; in any other chunk each
-// lane has a segment of its own. Both do to each sample what sample.hpp does, to the last bit, so that it does not
-// matter which way a chunk goes. Rows that vectors cannot do (times outside the knots or not finite, rates that
-// overflow) are done again one at a time.
+// Sampling of many times in vectors, chunk by chunk. A chunk of increasing times with enough samples per segment is
+// sampled run by run, a run being the samples in one segment, which is broadcast to all lanes. In any other chunk the
+// times are scattered, and each lane has a segment of its own. Both do to each sample what sample_one.hpp does, to the
+// last bit, so that the choice is one of speed alone. Rows that vectors cannot do (times outside the knots or not
+// finite, rates that overflow) are done again one at a time.
 #pragma once
 
 #include "curve/chunk_times.hpp"
@@ -12,8 +12,8 @@
 namespace qtraj {
 namespace {
 
-// Segments of times within the knots, whole vectors, as find_segment has them. Each halving step is done for all times
-// before the next: in one search after the other every gather waits for the one before.
+// find_segment for times within the knots, in whole vectors. Each halving step is done for all times before the next
+// step: the gathers of one search depend on each other, and search after search would be bound by their latency.
 [[maybe_unused]] QTRAJ_NOINLINE void find_segments(const KnotIndex& index, const double* times, size_t count,
                                                    int64_t* found) {
   const IndexTag tag;
@@ -34,7 +34,7 @@ namespace {
   }
 }
 
-// kSample and kSampleAt: those of sample_one.hpp in the same arithmetic.
+// kSample and kSampleAt: scalar sampling (sample_one.hpp) in the same arithmetic.
 template <class Evaluator, class Arithmetic, class Real, bool kWithRates, SampleFunction<Real> kSample,
           SampleAtFunction<Real> kSampleAt>
 class Batch {
@@ -78,21 +78,21 @@ class Batch {
   static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;
   using RunMode = SampleMode<kWithRates, true>;
   using ScatteredMode = SampleMode<kWithRates, false>;
-  // Vectors of a run that are partial before the first of them is finished: each step of a sample waits for the one
-  // before, and a processor has too few instructions under way to fill that time with the next vector's.
+  // How many vectors of a run are started before the first of them is finished. A sample is one long dependency chain,
+  // and the out-of-order window is too small to overlap it with the next vector's.
   static constexpr size_t kInterleaved = Evaluator::template kInTwoSteps<kWithRates> ? 32 / kTimeLanes : 1;
   static constexpr size_t kFields = sizeof(Segment) / sizeof(double);
-  // Whether a segment for each lane is worth gathering.
+  // Whether it pays to gather a segment per lane.
   static constexpr bool kScattersInVectors = kTimeLanes > 2 || kWithRates ||
                                              Evaluator::kWork > (std::is_same_v<Real, double> ? 2 : 1);
 
   // ---- Sorted times: run by run ----
 
-  // Rows from which a run takes less time than as many with a segment for each lane. Half a vector, but a whole one
-  // with rates and where half would be a single row.
+  // The number of rows from which a run is faster than the same rows with a segment per lane: half a vector, but a
+  // whole one with rates and where half would be a single row.
   static constexpr size_t kLeastRun = kWithRates || kLanes < 4 ? kLanes : kLanes / 2;
 
-  // False, and nothing done, where runs would on average be shorter or times are outside the knots.
+  // False, with nothing done, where runs would on average be shorter than that or times are outside the knots.
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
     if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;
@@ -108,14 +108,14 @@ class Batch {
     return true;
   }
 
-  // The times from `begin` to `end`.
+  // Samples the times from `begin` to `end`, all in one segment.
   void sample_run(size_t segment, size_t begin, size_t end) {
     const Segment& record = segments_[segment];
     WideSegment wide;
     Doubles<Real> scales;
     broadcast(record, wide, scales);
     const Time knot(index_.knots[segment]), offset(Evaluator::offset(record));
-    if constexpr (kWithRates) {
+    if constexpr (kWithRates && !Evaluator::template kOwnLoopWithRates<Real>) {
       sample_with_rates(begin, end, wide, scales, &knot, offset);
     } else {
       const auto start_at = [&](size_t i, Partial& partial) {
@@ -135,14 +135,14 @@ class Batch {
     }
   }
 
-  // One segment in all lanes.
+  // Broadcasts one segment to all lanes.
   void broadcast(const Segment& record, WideSegment& wide, Doubles<Real>& scales) const {
     const auto* fields = reinterpret_cast<const double*>(&record);
     read_segment<Number>([&](size_t k) { return Number(static_cast<Real>(fields[k])); }, wide);
     for (Time& part : scales.part) part = Time(Evaluator::scale(record));
   }
 
-  // The times from i on, up to `end`, in units of a segment.
+  // The parameters x of the times from i on, up to `end`.
   QTRAJ_INLINE Number position(size_t i, size_t end, Time knot, Time scale, Time offset) const {
     double rest[kLanes];
     const double* times = times_.from(i);
@@ -176,8 +176,9 @@ class Batch {
     }
   }
 
-  // With rates, where the evaluation dwarfs all else and its code is most of the library's, one loop is for both: for a
-  // run, whose segment is in all lanes already and starts at `knot`, and, without a knot, for a segment in each lane.
+  // One loop for runs and for scattered times: with rates the evaluation takes most of the time and of the library's
+  // code. With a `knot` it samples a run, whose segment is already broadcast and starts there, without one a segment
+  // per lane.
   QTRAJ_NOINLINE void sample_with_rates(size_t begin, size_t end, WideSegment& wide, Doubles<Real>& scales,
                                         const Time* knot, Time offset) {
     const size_t at_once = knot ? kInterleaved : 1;
@@ -202,7 +203,7 @@ class Batch {
     }
   }
 
-  // The segments found for a vector of times, and these in units of their segments.
+  // Loads the segments found for a vector of times, and the parameters x of the times in them.
   QTRAJ_INLINE void load_segments(size_t i, WideSegment& wide, Doubles<Real>& scales, Doubles<Real>& x) const {
     if constexpr (std::is_same_v<Real, double>) {
       static_assert(sizeof(WideSegment) == kFields * sizeof(Time));
@@ -224,8 +225,8 @@ class Batch {
     x = parameter<Arithmetic>(Time::load(times_.from(at)) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
   }
 
-  // One vector of samples, of which those before `end` count. Rows past it, where there are any, are written too and
-  // corrected later.
+  // Finishes and writes a vector of samples, of which those before `end` count. Rows past `end` may be written too: the
+  // vectors after this one overwrite them.
   template <class Mode>
   QTRAJ_INLINE void finish(const WideSegment& segment, Number x, const Partial& partial, const Doubles<Real>& scales,
                            size_t i, size_t end) {

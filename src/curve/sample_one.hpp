@@ -1,5 +1,5 @@
-// Sampling one time after the other: each finds its segment and is evaluated there. The reference that the vectors of
-// sample_many.hpp equal bit for bit, and what they leave to it: rows at fault, times outside the knots, small batches.
+// Sampling one time after the other: each finds its segment and is evaluated there. The vectors of sample_many.hpp
+// equal it bit for bit, and leave to it what they cannot do: rows at fault, times outside the knots, small batches.
 #pragma once
 
 #include <type_traits>
@@ -17,8 +17,8 @@ namespace {
 
 // ---- Which evaluator ----
 
-// Calls `with` with the evaluator of a trajectory's segments for samples of type Real. Curves of any range are not
-// sampled in float.
+// Calls `with` with the evaluator of a trajectory's segments for samples of type Real. Curves of ExponentRange::any are
+// not evaluated in float.
 template <class Arithmetic, size_t Degree, class Real, class With>
 auto with_rotation_vector(ExponentRange range, const With& with) {
   if constexpr (std::is_same_v<Real, double>)
@@ -62,9 +62,9 @@ Status write_fault(Status status, const SampleOutputs<Real>& outputs, size_t i) 
   return status;
 }
 
-// A segment's fields as other numbers: `read` makes each from its place in the row. Segments hold nothing but values of
-// one type. The first field, the scale of time, is left out: it may be past the range of float. Written in place: a
-// copy of vectors goes through memory.
+// Converts a segment to other numbers: read(k) gives field k. Segments hold nothing but values of one type. The first
+// field, the scale of time, is set to 0: it may be past the range of float. The segment is filled in place, because a
+// returned struct of vectors would be copied through the stack.
 template <class Value, class To, class Read>
 void read_segment(const Read& read, To& segment) {
   static_assert(std::is_standard_layout_v<To> && sizeof(To) % sizeof(Value) == 0);
@@ -78,8 +78,8 @@ template <class Real>
 using EvaluateRow = Status(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
                            const SampleOutputs<Real>& outputs, size_t row);
 
-// A function by itself for each kind of evaluator: in one for all, every sample would pay for the registers that the
-// largest needs.
+// One function per kind of evaluator: in a common one, every sample would save and restore the registers that the
+// largest kind needs.
 template <class Evaluator, class Arithmetic, bool kWithRates, class Real>
 QTRAJ_NOINLINE Status evaluate_row(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
                                    const SampleOutputs<Real>& outputs, size_t i) {
@@ -118,7 +118,7 @@ QTRAJ_NOINLINE Status evaluate_row(const Trajectory& trajectory, size_t segment,
   return Status::ok;
 }
 
-// A row of float sampled in double and rounded: for curves whose coefficients may be past the range of float.
+// Samples a row of float in double and rounds it: for curves whose coefficients may be past the range of float.
 template <EvaluateRow<double> kEvaluateDouble>
 Status round_row(const Trajectory& trajectory, size_t segment, double elapsed, bool negate,
                  const SampleOutputs<float>& outputs, size_t i) {
@@ -135,7 +135,7 @@ Status round_row(const Trajectory& trajectory, size_t segment, double elapsed, b
   return Status::ok;
 }
 
-// The one for a trajectory and the outputs of a call. `kEvaluateDouble`: for float, the same in double.
+// The EvaluateRow for a trajectory and the outputs of a call. Float rows of ExponentRange::any use `kEvaluateDouble`.
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
 EvaluateRow<Real>* row_evaluator(const Trajectory& trajectory, const SampleOutputs<Real>& outputs) {
   if constexpr (std::is_same_v<Real, float>)
@@ -191,15 +191,30 @@ QTRAJ_INLINE Status sample_row(const Trajectory& trajectory, double time, size_t
 
 // ---- Calls ----
 
-// Of several rows, the outcome is that of the first at fault.
+// The outcome of several rows is that of the first one at fault.
 inline void keep_first(Status status, size_t i, Outcome& outcome) {
   if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
 }
 
+// The segment is found before the evaluator is chosen, which then is called directly: one indirect jump a sample.
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
 Status sample_one(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
-  return sample_row(trajectory, time, cursor, outputs, 0,
-                    row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs));
+  if (!is_finite(time)) return write_fault(Status::not_finite, outputs, 0);
+  if (time < trajectory.before.knot || time > trajectory.after.knot)
+    return sample_outside(trajectory, time, cursor, outputs, 0,
+                          row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs));
+  const KnotIndex index = knot_index(trajectory);
+  const size_t segment = find_segment(index, time, cursor);
+  cursor = segment;
+  const double elapsed = time - index.knots[segment];
+  if constexpr (std::is_same_v<Real, float>)
+    if (trajectory.range == ExponentRange::any)
+      return round_row<kEvaluateDouble>(trajectory, segment, elapsed, false, outputs, 0);
+  return with_evaluator_for<Arithmetic>(trajectory, outputs, [&](const auto& evaluator, auto with_rates) {
+    using Evaluator = std::decay_t<decltype(evaluator)>;
+    return evaluate_row<Evaluator, Arithmetic, decltype(with_rates)::value, Real>(trajectory, segment, elapsed, false,
+                                                                                  outputs, 0);
+  });
 }
 
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>

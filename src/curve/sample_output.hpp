@@ -1,4 +1,4 @@
-// Rows of samples, and rates in time and in the frame asked for.
+// One row of samples: its rates converted to time and to the frame asked for, and the row written.
 #pragma once
 
 #include "curve/sample_call.hpp"
@@ -12,8 +12,9 @@ struct SampleRow {
   Real q[4], omega[3], alpha[3];
 };
 
-// Calls `visit(k)` for each k below Count. Not a loop: GCC 12 keeps an array that a loop counts through in memory, and
-// makes one that copies four numbers a copy of 32 bytes, which has to wait for the four stores that wrote them.
+// Calls `visit(k)` for each k below Count, unrolled. In a loop GCC 12 keeps the array in memory and merges a copy of
+// four doubles into one of 32 bytes, for which store forwarding fails: the 32-byte load cannot be forwarded from the
+// four 8-byte stores before it.
 template <class Visit, size_t... K>
 QTRAJ_INLINE void each_of(const Visit& visit, std::index_sequence<K...>) {
   (visit(K), ...);
@@ -48,7 +49,7 @@ constexpr double largest_of() {
   return sizeof(Real) == sizeof(double) ? kLargest : 0x1.fffffep+127;
 }
 
-// value * factor, false instead of an overflow of the product or of its rounding to Real.
+// value * factor; false, without raising FE_OVERFLOW, where the product or its rounding to Real would overflow.
 template <class Real>
 bool scaled(double value, double factor, double& product) {
   constexpr double kSafe = 0x1p500;
@@ -57,7 +58,7 @@ bool scaled(double value, double factor, double& product) {
   return magnitude(product) <= largest_of<Real>();
 }
 
-// Body rates in units of a segment to rates in time and in the frame asked for; false where one that is wanted
+// Converts body rates per unit of x to rates in time and in the frame asked for; false where one that is wanted
 // overflows.
 template <class Arithmetic, class Real>
 bool finish_rates(const Real (&q)[4], Rates<Real>& rates, double scale, const RateRequest& request,
@@ -81,7 +82,7 @@ bool finish_rates(const Real (&q)[4], Rates<Real>& rates, double scale, const Ra
   return true;
 }
 
-// Copies the constant rate of an extrapolated turn; false where it is past the range of Real.
+// Writes the constant rate of an extrapolated turn and alpha = 0; false where omega is past the range of Real.
 template <class Real>
 bool extrapolated_rates(const double (&omega)[3], const RateRequest& request, SampleRow<Real>& row) {
   for (size_t k = 0; k < 3; ++k) {

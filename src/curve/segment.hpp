@@ -1,8 +1,8 @@
-// Segments: what a builder leaves and a kernel samples, one plain record per interval between two knots.
+// Segments, one plain record per interval between two knots: builders write them and kernels sample them.
 //
-// Four kinds carry all methods. Each is a row of numbers: of double as builders write it and handles keep it, or of
-// what a kernel computes with, such as vectors that hold the same field of several segments. Vector files include this
-// header: plain data only.
+// Four kinds carry all methods, two of them with polynomials of either degree. A record holds nothing but numbers:
+// double as builders write it and handles keep it, or the Number that a kernel computes with, such as vectors of the
+// same field of several segments. Kernels include this header: plain data only.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ struct ArcSegmentOf {
 };
 using ArcSegment = ArcSegmentOf<double>;
 
-// q = base exp(p(s)), s = (t - t_i) scale - 1 in [-1, 1], p = c[0] + c[1] s + ... the half-angle vector. Coefficients
-// about the middle: monomials in (t - t_i)/h would lose up to 7 times as much to cancellation.
+// q = base exp(p(s)), s = (t - t_i) scale - 1 in [-1, 1], p = c[0] + c[1] s + ... the half-angle vector. The polynomial
+// is expanded about the middle: monomials in (t - t_i)/h would lose up to 7 times as much to cancellation.
 template <size_t Degree, class Value = double>
 struct RotationVectorSegment {
   Value scale;  // 2/h
@@ -48,7 +48,8 @@ struct NestedArcsSegmentOf {
   Value near;   // 1 where the arcs are never more than pi/3 apart and the inner one is at most a quarter turn, else 0
   Arc keys, controls;
   // For the rates: Im(P* C) of points on the two arcs is the sum of these times cos cos, cos sin, sin cos, sin sin of
-  // their angles. The first, Im(m_keys* m_controls), is far below rounding on short arcs, so that it is stored.
+  // their angles. The first, Im(m_keys* m_controls), is stored because on short arcs it is far below the rounding
+  // errors of its factors.
   Value relative[4][3];
 };
 using NestedArcsSegment = NestedArcsSegmentOf<double>;

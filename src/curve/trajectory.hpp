@@ -1,6 +1,6 @@
 // The handle: one block of memory, this record first, then knots, their guide, keys and segments, found by offsets so
-// that the block can be copied. Immutable once built (methods/build.hpp). Vector files include this header: plain data,
-// and functions of internal linkage.
+// that the block can be copied. Immutable once built (methods/build.hpp). Kernels include this header: it holds plain
+// data, and functions of internal linkage.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace qtraj {
 struct Extrapolation {
   Extrapolate rule;
   double knot;
-  double far_time;  // times past it count as it: there the arc, or the difference t - knot, has no digits left
+  double far_time;  // later times are clamped to it: there the arc, or the difference t - knot, has no digits left
   double rate;      // rad/s on S^3: half the angular speed
   double m[4], e[4];
   double omega_body[3], omega_world[3];

@@ -1,4 +1,5 @@
-// Rows of samples side by side: rates in time, and how they are written.
+// A vector of samples, one row per lane: its rates converted to time, and the rows written. What sample_output.hpp is
+// for one row.
 #pragma once
 
 #include "curve/sample_output.hpp"
@@ -18,7 +19,7 @@ QTRAJ_NOINLINE void copy_numbers(const Real* from, size_t count, Real* to) {
   for (size_t k = 0; k < count; ++k) to[k] = from[k];
 }
 
-// Writes `rows` <= kLanes rows; all lanes may be written where as many rows are left of the output from this one on.
+// Writes `rows` <= kLanes rows. All lanes are written where the output has so many rows left from this one on.
 template <class Real, size_t Size>
 QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, size_t rows, size_t left) {
   constexpr size_t kLanes = Wide<Real>::kLanes;
@@ -29,7 +30,7 @@ QTRAJ_INLINE void write_wide(const Wide<Real> (&v)[Size], Real* to, size_t row, 
   copy_numbers(lanes, Size * rows, to + Size * row);
 }
 
-// Lanes with a number of magnitude past the limit, or NaN, become 0 in all numbers; false where there are any.
+// Lanes in which a number is NaN or its magnitude past the limit become 0 in all numbers; false where there are any.
 template <size_t Size>
 QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
   const Wide<double> zero(0.0), largest(limit);
@@ -40,9 +41,9 @@ QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
   return false;
 }
 
-// Rates of a segment's parameter to rates in time, by `times` factors of its scale. Magnitudes past kSafeRate, or what
-// float cannot hold, are left to the scalar code, which tells an overflow without making one: those lanes become 0, and
-// the result is false. Small rates (evaluator.hpp) are not looked at: for a whole run the scale alone decides.
+// Converts rates per unit of x to rates in time by `times` factors of scale. Lanes past kSafeRate, or past the range of
+// float, become 0, and the result is false: scalar code does them again and detects an overflow without raising
+// FE_OVERFLOW. Small rates (kSmallRates in evaluator.hpp) are not checked, because for them the scale alone decides.
 constexpr double kSafeRate = 0x1p300;
 
 template <bool kSmallRates, class Real>
@@ -64,7 +65,7 @@ QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>&
   return safe;
 }
 
-// Takes body rates to time and frame; false where a lane must be done again.
+// Converts body rates to rates in time and in the frame asked for; false where a lane must be done again.
 template <class Arithmetic, bool kSmallRates, class Real>
 QTRAJ_INLINE bool finish_rates(const Wide<Real> (&q)[4], Rates<Wide<Real>>& rates, const Doubles<Real>& scale,
                                const RateRequest& request, WideRow<Real>& row) {

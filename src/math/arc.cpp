@@ -6,7 +6,7 @@ namespace qtraj {
 
 namespace {
 
-// m without its part along e, unit.
+// The component of m orthogonal to e (Gram-Schmidt), normalised.
 Quaternion orthogonalized(const Quaternion& m, const Quaternion& e) {
   const Quaternion rest = m - dot(m, e) * e;
   return rest / length(rest);
@@ -21,7 +21,7 @@ Arc arc_between(const Quaternion& chord, const Quaternion& opposite_chord) {
   const Quaternion e = chord / chord_length;
   if (opposite_length < kOpposite * chord_length) return {-multiply(e, Quaternion(0, 1, 0, 0)), e, half_angle};
   const Quaternion m = opposite_chord / opposite_length;
-  // the rounding of a short sum need not be orthogonal to the difference, and the arc would leave the sphere
+  // the rounding error of a short sum need not be orthogonal to the chord, and the arc would leave the sphere
   const bool is_short = opposite_length < 1e-6 * chord_length;
   return {is_short ? orthogonalized(orthogonalized(m, e), e) : m, e, half_angle};
 }

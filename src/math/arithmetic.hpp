@@ -1,13 +1,16 @@
-// The two arithmetics that evaluation is instantiated with, and polynomials in them. Fused: AVX2, AVX-512 and AArch64;
-// plain: all other targets. Results of one kind are the same bits everywhere, those of the two kinds differ in
-// rounding.
+// The two arithmetics that kernels are instantiated with, and polynomials in them.
 //
-// `Number` is double, float, or a vector of either (wide.hpp): one sample or several side by side, by the same
-// operations in the same order. Where samples differ in what is done to them, both results are computed and one is
-// selected, and neither may raise a floating-point exception for the sample it is not meant for.
+// Fused evaluates multiply_add with one rounding (FMA: AVX2, AVX-512 and NEON), Plain with two (all other targets).
+// The compiler never contracts a * b + c by itself (-ffp-contract=off), so that FMA happens where a kernel asks for it
+// and nowhere else. Results therefore come in two kinds of bits: all fused targets agree to the last bit, all plain
+// targets do, and the two kinds differ in rounding only.
 //
-// Everything in this folder's headers has internal linkage: a copy compiled for a wider instruction set must never be
-// the one a linker keeps for other files.
+// `Number` is double, float, or a vector of either (simd/wide.hpp): one sample, or one per lane, by the same operations
+// in the same order. Code that samples take differently is branch-free: both results are computed and one is selected,
+// and neither may raise a floating-point exception for the sample it is not meant for.
+//
+// Whatever kernels include has internal linkage: the linker must not keep the copy of a function that was compiled for
+// a wider instruction set (base/floating.hpp).
 #pragma once
 
 #include <cstddef>
@@ -16,21 +19,21 @@
 #include "base/floating.hpp"
 #include "math/coefficients.hpp"
 
-// Evaluation is one straight sequence: a vector passed to a call would go through memory. Builds with assertions are
-// for debuggers and sanitizers, which take minutes over such sequences.
+// Evaluation is inlined into one straight sequence, because vectors passed to a call would be spilled to the stack.
+// Builds with assertions do without: they are for debuggers and sanitizers, which take minutes over such sequences.
 #if defined(NDEBUG)
 #define QTRAJ_INLINE inline __attribute__((always_inline))
 #else
 #define QTRAJ_INLINE inline
 #endif
 
-// A function that is called once a chunk or seldom, and has one copy for all that call it.
+// For functions that are called once a chunk or rarely: all callers share one copy.
 #define QTRAJ_NOINLINE __attribute__((noinline))
 
 namespace qtraj {
 namespace {
 
-// The type of a number's samples.
+// The scalar type of a Number: its own, or that of its lanes.
 template <class Number>
 struct ElementOf {
   using Type = Number;
@@ -55,7 +58,7 @@ struct Fused {
   }
 };
 
-// One instruction on every target with a square root; rounded correctly on all.
+// Correctly rounded on every target, and one instruction wherever there is one.
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline float square_root(float x) { return __builtin_sqrtf(x); }
 
@@ -63,7 +66,7 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double maximum(double a, double b) { return a < b ? b : a; }
 inline double with_sign_of(double sign, double a) { return __builtin_copysign(a, sign); }
 
-// A polynomial of coefficients.hpp in the precision of its argument.
+// The coefficients of a polynomial of coefficients.hpp in the precision of its argument.
 template <class Number, class Polynomial>
 constexpr const auto& coefficients(Polynomial) {
   if constexpr (sizeof(Element<Number>) == sizeof(double))
@@ -72,8 +75,8 @@ constexpr const auto& coefficients(Polynomial) {
     return Polynomial::kFloat;
 }
 
-// c0 + c1 x + ... by Estrin's scheme: neighbours are joined pairwise, then in steps of x^2, x^4. As many fused steps as
-// Horner's scheme has, but few that wait for each other.
+// c0 + c1 x + ... by Estrin's scheme: neighbouring terms are joined in pairs, these again with x^2, x^4, ... It takes
+// as many multiply-adds as Horner's scheme, but its dependency chain grows with the logarithm of the number of terms.
 template <class Arithmetic, class Number, size_t Terms>
 QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
   if constexpr (Terms == 1) {
@@ -87,11 +90,11 @@ QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
   }
 }
 
-// c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last and rounds once.
+// c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last, so that it is rounded once.
 template <class Arithmetic, class Polynomial, class Number, size_t... Rest>
 QTRAJ_INLINE Number evaluate(Number x, std::index_sequence<Rest...>) {
   constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
-  // not a loop: one of more than 16 terms would stay one, and its vectors go through memory
+  // not a loop: compilers do not unroll one of more than 16 terms, and would spill its vectors to the stack
   const Number rest[] = {Number(kCoefficients[1 + Rest])...};
   return Arithmetic::multiply_add(estrin<Arithmetic>(rest, x), x, Number(kCoefficients[0]));
 }
@@ -102,7 +105,7 @@ QTRAJ_INLINE Number evaluate(Number x) {
   return evaluate<Arithmetic, Polynomial>(x, std::make_index_sequence<kTerms - 1>());
 }
 
-// Dot product in the one order that all kernels use.
+// The dot product, summed from the left as in all kernels.
 template <class Arithmetic, class Number, size_t Size>
 QTRAJ_INLINE Number dot_product(const Number (&a)[Size], const Number (&b)[Size]) {
   Number sum = a[0] * b[0];
@@ -110,7 +113,7 @@ QTRAJ_INLINE Number dot_product(const Number (&a)[Size], const Number (&b)[Size]
   return sum;
 }
 
-// q (1.5 - |q|^2/2): unit length to rounding where |q| is within a few hundred eps of 1.
+// One Newton step towards unit length, q (1.5 - |q|^2/2): exact to rounding where |q| is within a few hundred eps of 1.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void newton_normalize(Number (&q)[4]) {
   using Real = Element<Number>;
@@ -118,7 +121,7 @@ QTRAJ_INLINE void newton_normalize(Number (&q)[4]) {
   for (Number& component : q) component = component * factor;
 }
 
-// Polynomial with vector coefficients at x.
+// A polynomial with vector coefficients at x, by Horner's scheme.
 template <class Arithmetic, class Number, size_t Terms, size_t Size>
 QTRAJ_INLINE void horner(const Number (&c)[Terms][Size], Number x, Number (&value)[Size]) {
   for (size_t k = 0; k < Size; ++k) {

@@ -1,4 +1,5 @@
-// Long sums of vectors to a few eps, whatever their length. Kernels include this header: it names no type of Eigen.
+// Long sums good to a few eps, whatever the number of terms: kernels add to them (rows/sums.hpp), means read them.
+// Kernels include this header: it uses no type of Eigen.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +8,13 @@
 
 namespace qtraj {
 
-// Rows that are summed: row i goes to lane i % kSumLanes, in blocks of kBlockRows rows. In this order whatever vectors
-// they are done in, so that sums are the same bits everywhere.
+// The order of summation: row i is added to lane i % kSumLanes, in blocks of kBlockRows rows. It does not depend on the
+// width of the target's vectors, so that sums are the same bits everywhere.
 constexpr size_t kSumLanes = 8, kBlockRows = 128;
 
-// Plain sums over the 16 terms of a lane in a block, compensated across the blocks and lanes (A. Neumaier, ZAMM 54
+// The 16 terms of a lane in a block are summed plainly, blocks and lanes with compensation (A. Neumaier, ZAMM 54
 // (1974), 39). Error below 8 eps of the sum of the terms' absolute values for fewer than 2^50 terms; of a million
-// random terms below 0.6 eps. rows/sums.hpp adds to it.
+// random terms below 0.6 eps.
 template <size_t Size>
 struct BlockSum {
   double totals[Size][kSumLanes] = {}, errors[Size][kSumLanes] = {};

@@ -11,19 +11,20 @@ namespace qtraj {
 
 // Working space of the elimination.
 struct BlockSpace {
-  double (*x)[3];        // [count], what the rows before leave of the solution
-  double (*inverse)[9];  // [count], of the pivot blocks
-  double (*column)[9];   // [count]; cyclic systems only
+  double (*x)[3];        // [count], the result of the forward substitution
+  double (*inverse)[9];  // [count], inverses of the pivot blocks
+  double (*column)[9];   // [count], d x_i / d x_0; cyclic systems only
 };
 
-// Elimination of the left sides, without pivoting between rows. False where a pivot block is singular.
+// Factorizes the left sides, without pivoting between rows. False where a pivot block is singular.
 template <class System>
 bool factorize_tridiagonal(size_t count, const System& system, const BlockSpace& space);
 template <class System>
 bool factorize_cyclic(size_t count, const System& system, const BlockSpace& space);
 
-// Calls take(i, x_i) for each i, once all right sides have been asked for; `space` holds what factorize left of the
-// same lower and upper. In some order: the caller's use of each x is done while the next ones wait for it.
+// Solves for the right sides; `space` holds the factorization of the same lower and upper. Calls take(i, x_i) for each
+// i in no particular order, after the last call of right. It is called as the x appear, not at the end: back
+// substitution is one dependency chain, and the caller's work on each x overlaps with it.
 template <class System, class Take>
 void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space, const Take& take);
 template <class System, class Take>
@@ -33,7 +34,7 @@ void solve_cyclic(size_t count, const System& system, const BlockSpace& space, c
 
 namespace block {
 
-// Rows first ... count - 1, tridiagonal: what they have beside x_first ... x_{count-1} is left out.
+// Factorizes rows first ... count - 1 as a tridiagonal system in x_first ... x_{count-1}; terms in other x are ignored.
 template <class System>
 bool invert_pivots(size_t first, size_t count, const System& system, const BlockSpace& space) {
   Matrix3 inverse = Matrix3::Zero();
@@ -75,7 +76,7 @@ void solve_tridiagonal(size_t count, const System& system, const BlockSpace& spa
 template <class System>
 bool factorize_cyclic(size_t count, const System& system, const BlockSpace& space) {
   if (!block::invert_pivots(1, count, system, space)) return false;
-  // the other rows give x_i = x_i' + column_i x_0, x' what they give for x_0 = 0; the row of x_0 then gives x_0
+  // rows 1, 2, ... give x_i = x_i' + column_i x_0, x' being their solution for x_0 = 0; row 0 then gives x_0
   Matrix3 column = Matrix3::Identity();
   for (size_t i = 1; i < count; ++i) {
     column = -product(load_matrix(space.inverse[i]), product(system.lower(i), column));

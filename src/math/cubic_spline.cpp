@@ -25,12 +25,11 @@ struct Row {
 
 constexpr Row kNaturalStart = {0, 2, 1, 0, 3}, kNaturalEnd = {1, 2, 0, 3, 0};
 
-// Second derivatives on both sides of the knot are equal.
+// The second derivative is continuous at the knot.
 Row inner_row(IntervalShares share) { return {share.right, 2, share.left, 3 * share.right, 3 * share.left}; }
 
-// The inner row at the knot next to a not_a_knot end, the slope at that end eliminated with the condition
-//   right d_0 + d_1 = (2 + left) right delta_0 + left^2 delta_1   (third derivatives on both sides of knot 1 are
-//   equal).
+// The inner row at the knot next to a not_a_knot end. The slope at that end is eliminated by the condition
+//   right d_0 + d_1 = (2 + left) right delta_0 + left^2 delta_1   (the third derivative is continuous at knot 1).
 Row row_after_start(IntervalShares share) {
   return {0, 1, share.left, share.right * share.right, share.left * (2 + share.right)};
 }
@@ -92,13 +91,13 @@ class SlopeSystem {
     return value;
   }
 
-  // Thomas algorithm on the rows of knots first..last.
+  // The Thomas algorithm on the rows of knots first..last.
   Outcome solve_tridiagonal(size_t first, size_t last) {
     for (size_t i = first; i <= last; ++i) {
       const Row at = row(i);
       const double lower = i > first ? at.lower : 0.0;
       const double pivot = i > first ? at.diagonal - lower * upper_[i - 1] : at.diagonal;
-      // only four knots with two not_a_knot ends, the middle ones together to rounding, come here
+      // happens only to four knots with two not_a_knot ends whose middle knots coincide to rounding
       if (!(pivot > 0)) return {Status::not_finite, i};
       upper_[i] = at.upper / pivot;
       for (size_t c = 0; c < data_.dim; ++c) {
@@ -124,7 +123,7 @@ class SlopeSystem {
     return true;
   }
 
-  // d_i = slope_i + first_column_i d_0 for inner i, and the row of knot 0, where the curve closes, gives d_0.
+  // Inner rows give d_i = slope_i + first_column_i d_0; the row of knot 0, where the curve closes, then gives d_0.
   Outcome solve_periodic() {
     const size_t last = data_.count - 1;
     for (size_t i = 1; i < last; ++i) {

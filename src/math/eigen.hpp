@@ -1,5 +1,5 @@
-// The project's types over Eigen, small vectors and matrices of fixed size, and the one place that includes it: parsing
-// it takes most files longer than all else, so it comes precompiled. Order w x y z as in the C API.
+// The project's vectors and matrices, Eigen types of fixed size, and the only place that includes Eigen: parsing it
+// takes most files longer than all else, so that this header is precompiled. Quaternions are w x y z, as in the C API.
 #pragma once
 
 #include <Eigen/Core>

@@ -5,8 +5,9 @@
 
 namespace qtraj {
 
-// value + error is exact; error is at most half an ulp of value. Number: double, or a vector of it. Vector files
-// include this header: nothing in it may become a shared symbol.
+// A double-double, the unevaluated sum value + error. The functions below return the exact result in this form; error
+// is then at most half an ulp of value. Number: double, or a vector of it. Kernels include this header: what they call
+// has internal linkage (base/floating.hpp says why).
 template <class Number>
 struct DoubleDoubleOf {
   Number value, error;
@@ -20,7 +21,7 @@ static inline DoubleDoubleOf<Number> two_sum(Number a, Number b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-// For |a|, |b| < 2^500 and products above 2^-900. Without fma, so that every target rounds alike.
+// For |a|, |b| < 2^500 and products above 2^-900. Dekker's product, without FMA: every target rounds alike.
 template <class Number>
 static inline DoubleDoubleOf<Number> two_product(Number a, Number b) {
   const Number split(134217729.0);  // 2^27 + 1
@@ -31,7 +32,7 @@ static inline DoubleDoubleOf<Number> two_product(Number a, Number b) {
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-// a b - c d, good to 2 eps of itself however much cancels; the same range as two_product.
+// a b - c d to 2 eps relative, however much cancels; in the range of two_product.
 inline double difference_of_products(double a, double b, double c, double d) {
   const DoubleDouble first = two_product(a, b), second = two_product(c, d);
   return (first.value - second.value) + (first.error - second.error);

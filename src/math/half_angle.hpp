@@ -1,9 +1,9 @@
-// The functions of a half-angle vector p that rotations and their rates are made of, as functions of y = |p|^2:
-//   C = cos |p|,  K = sin |p| / |p|,  D = (K - C)/y,  E = (3 D - K)/y,
-// and with them exp p, Jr and beta of the rotation vector r = 2 p:
+// The exponential of a half-angle vector p and its rates, from four functions of y = |p|^2:
+//   C = cos |p|,  K = sin |p| / |p|,  D = (K - C)/y,  E = (3 D - K)/y.
+// They give exp p = (C, K p) and, for the rotation vector r = 2 p, Jr and beta:
 //   omega_body = Jr(r) r' = 2 [p' - K^2 p x p' + (K^2 - C D) p x (p x p')]
 //   alpha_body = Jr(r) r'' + 4 K D (p.p') p x p' + 2 (C E - K D)(p.p') p x (p x p') + 2 (K^2 - C D) p' x (p x p').
-// None of it is 0/0 at p = 0, as the textbook forms are. Derived from G. Chirikjian, "Stochastic Models, Information
+// Unlike the textbook forms, none of this is 0/0 at p = 0. Derived from G. Chirikjian, "Stochastic Models, Information
 // Theory, and Lie Groups", vol. 2 (2012), eq. 10.86.
 #pragma once
 
@@ -34,7 +34,7 @@ QTRAJ_INLINE void double_angle(Number sinc_squared, Number& c, Number& k, Number
   c = Arithmetic::multiply_add(minus_two_z, sinc_squared, Number(Real(1)));
   minus_two_z = Number(Real(4)) * minus_two_z;
 }
-// Each doubling doubles the error of c^2 + y k^2, which is 1: one Newton step.
+// One Newton step towards c^2 + y k^2 = 1, whose error doubles with each doubling of the angle.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void normalize_doubled(Number y, CosSinc<Number>& f) {
   using Real = Element<Number>;
@@ -44,8 +44,8 @@ QTRAJ_INLINE void normalize_doubled(Number y, CosSinc<Number>& f) {
   f.k = f.k * factor;
 }
 
-// For |p| <= 2^doublings pi/2, doublings <= 2: the polynomials at a fraction of the angle, which is then doubled. No
-// square root, no division, and the same branches for all samples of a trajectory.
+// C and K for |p| <= 2^doublings pi/2, doublings <= 2: the polynomials are evaluated at |p| / 2^doublings, then the
+// angle is doubled. No square root, no division, and all samples of a trajectory take the same branches.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void cos_sinc(Number y, int doublings, CosSinc<Number>& f) {
   using Real = Element<Number>;
@@ -57,7 +57,8 @@ QTRAJ_INLINE void cos_sinc(Number y, int doublings, CosSinc<Number>& f) {
   f.k = k;
 }
 
-// All four the same way: D' = (C D + K^2)/4, E' = (C E + 3 D K)/16. E is left 0 where it is not wanted.
+// C, K, D and E in the same way; doubling the angle takes D to (C D + K^2)/4 and E to (C E + 3 D K)/16. E is 0 unless
+// it is wanted.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void rate_factors(Number y, int doublings, bool wants_e, RateFactors<Number>& f) {
   using Real = Element<Number>;
@@ -78,8 +79,8 @@ QTRAJ_INLINE void rate_factors(Number y, int doublings, bool wants_e, RateFactor
   f.e = e;
 }
 
-// For any |p| below 2^500; Number of double. y counts as 0 for the polynomials where they do not hold, and the angle as
-// 1 where it may be 0.
+// C and K for any |p| below 2^500; Number of double. Both forms are computed and one is selected: where the polynomials
+// do not hold they are given y = 0, and where the angle may be 0 the quotients are given the angle 1.
 constexpr double kPolynomialLimit = 2.4674;  // (pi/2)^2
 
 template <class Arithmetic, class Number>
@@ -92,7 +93,7 @@ QTRAJ_INLINE CosSinc<Number> cos_sinc_any(Number y) {
   return {select(is_short, near.c, at.cos), select(is_short, near.k, at.sin / angle)};
 }
 
-// base (c, k p), the Hamilton product.
+// q = base (c, k p), the Hamilton product.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void turn(const Number (&base)[4], const CosSinc<Number>& f, const Number (&p)[3], Number (&q)[4]) {
   const Number w = base[0], x = base[1], y = base[2], z = base[3];
@@ -104,12 +105,12 @@ QTRAJ_INLINE void turn(const Number (&base)[4], const CosSinc<Number>& f, const 
   q[3] = add(-y, vx, add(x, vy, add(z, f.c, w * vz)));
 }
 
-// A half-angle vector with its derivatives.
+// A half-angle vector with its first and second derivative.
 template <class Number>
 struct HalfAngleJet {
   Number p[3], dp[3], ddp[3];
 };
-// Of a polynomial.
+// The jet of the polynomial with coefficients c, at x.
 template <class Arithmetic, class Number, size_t Terms>
 QTRAJ_INLINE HalfAngleJet<Number> half_angle_jet(const Number (&c)[Terms][3], Number x) {
   HalfAngleJet<Number> jet;
@@ -119,13 +120,13 @@ QTRAJ_INLINE HalfAngleJet<Number> half_angle_jet(const Number (&c)[Terms][3], Nu
   return jet;
 }
 
-// Weights of the cross products in the formulas above, p there a vector of any length. A vector of many turns is passed
-// as its unit vector, the powers of its length in the weights: no product then overflows.
+// Weights of the cross products in the formulas above. For a vector of many turns p/|p| takes the place of p, and the
+// weights contain the powers of |p|, so that no product overflows.
 template <class Number>
 struct RateWeights {
-  Number once, twice;              // p x p' and p x (p x p'), and the same with p''
-  Number sideways;                 // p' x (p x p')
-  Number along_once, along_twice;  // (p.p') p x p' and (p.p') p x (p x p')
+  Number once, twice;              // of p x p' and p x (p x p'), and of the same with p''
+  Number sideways;                 // of p' x (p x p')
+  Number along_once, along_twice;  // of (p.p') p x p' and (p.p') p x (p x p')
 };
 
 template <class Arithmetic, class Number>
@@ -168,7 +169,7 @@ QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_
   weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
 }
 
-// For any |p| below 2^500; Number of double.
+// Body rates of exp p for any |p| below 2^500; Number of double.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
   const Number zero(0.0), one(1.0), two(2.0), three(3.0);
@@ -190,10 +191,10 @@ QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wa
   weigh_rates<Arithmetic>(jet, direction, weights, wants_alpha, rates);
 }
 
-// ---- Jr(r) and the factors of beta from those of the half angle. Plain arithmetic: the same bits in the core and in
-// kernels of either arithmetic. The formulas are in so3.hpp.
+// ---- Jr(r) and the factors of beta from C, K, D and E; so3.hpp states the formulas. Plain arithmetic: the same bits
+// in the core and in kernels of either arithmetic.
 
-// C, K, D and E of the half angle sqrt(y), y <= kPolynomialLimit, in the core's order of operations.
+// C, K, D and E of the half angle sqrt(y), y <= kPolynomialLimit, by Horner's scheme as in the core.
 template <class Number>
 QTRAJ_INLINE RateFactors<Number> polynomial_factors(Number y) {
   return {tail(CosHalf::kDouble, 0, y), tail(SincHalf::kDouble, 0, y), tail(DHalf::kDouble, 0, y),
@@ -210,7 +211,7 @@ QTRAJ_INLINE TurningFactorsOf<Number> turning_factors_of(const RateFactors<Numbe
   return {Number(0.25) * f.k * f.d, Number(0.0625) * (f.c * f.e - f.k * f.d), Number(0.25) * (f.k * f.k - f.c * f.d)};
 }
 
-// 1 - (K^2/2) r x + sideways r x r x, with r x r x = r r^T - |r|^2; column after column.
+// Jr(r) = 1 - (K^2/2) [r x] + sideways [r x]^2 with [r x]^2 = r r^T - |r|^2, stored column by column.
 template <class Number>
 QTRAJ_INLINE void jacobian_of(const RateFactors<Number>& f, Number sideways, const Number (&r)[3],
                               Number (&jacobian)[9]) {

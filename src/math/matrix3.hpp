@@ -1,4 +1,4 @@
-// 3 x 3 matrices with products in a fixed order of summation.
+// 3 x 3 matrices whose products have a fixed order of summation.
 #pragma once
 
 #include "math/quaternion.hpp"
@@ -17,7 +17,7 @@ inline Matrix3 product(const Matrix3& a, const Matrix3& b) {
   return result;
 }
 
-// v x, as a matrix.
+// The matrix of the cross product with v: cross_matrix(v) a = v x a.
 inline Matrix3 cross_matrix(const Vector3& v) {
   Matrix3 matrix;
   matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
@@ -31,13 +31,14 @@ inline Matrix3 outer_product(const Vector3& a, const Vector3& b) {
   return matrix;
 }
 
-// Between matrices and plain arrays.
+// Conversion between matrices and plain arrays, column by column.
 inline Matrix3 load_matrix(const double (&from)[9]) { return Matrix3(from); }
 inline void store_matrix(const Matrix3& from, double (&to)[9]) {
   for (int k = 0; k < 9; ++k) to[k] = from.data()[k];
 }
 
-// By cofactors; false where the matrix is singular or close to it: |determinant| <= 1e-12 (largest component)^3.
+// The inverse by cofactors; false where the matrix is singular or close to it: |determinant| <= 1e-12 (largest
+// component)^3.
 inline bool invert(const Matrix3& matrix, Matrix3& inverse) {
   const Vector3 a = matrix.col(0), b = matrix.col(1), c = matrix.col(2);
   const Vector3 bc = cross(b, c);

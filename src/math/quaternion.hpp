@@ -30,8 +30,8 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Cosine, on S^3, of two orientations half a turn apart, to rounding: which way from one to the other is the shorter is
-// then nobody's intent.
+// Two orientations are half a turn apart to rounding where the magnitude of their cosine on S^3 is at most this.
+// Neither way from one to the other is then the shorter one in any meaningful sense.
 constexpr double kHalfTurnCosine = 4 * 0x1p-52;
 
 inline Quaternion quaternion(double scalar, const Vector3& vector) { return {scalar, vector[0], vector[1], vector[2]}; }
@@ -44,10 +44,10 @@ inline Quaternion multiply(const Quaternion& a, const Quaternion& b) {
           a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
-// q v q^-1 for unit q: takes body vectors to world.
+// q v q^-1 for unit q: a body vector in the world frame.
 Vector3 rotate(const Quaternion& q, const Vector3& v);
 
-// Between vectors and the plain arrays of segments and handles.
+// Conversion between vectors and the plain arrays of segments and handles.
 template <size_t Size>
 Row<Size> load(const double (&from)[Size]) {
   return Row<Size>(from);
@@ -58,7 +58,7 @@ void store(const Vector& from, double (&to)[Size]) {
   for (int k = 0; k < static_cast<int>(Size); ++k) to[k] = from[k];
 }
 
-// A power of two that brings a vector with this largest component where squares neither overflow nor vanish.
+// A power of two that scales a vector with this largest component so that its squares neither overflow nor underflow.
 double scale_for(double largest);
 // Largest absolute component.
 template <class Vector>
@@ -71,22 +71,21 @@ double largest_component(const Vector& a) {
 // q times a power of two, its largest component then in [1, 2). Finite q != 0.
 Quaternion scaled_to_one(const Quaternion& q);
 
-// A unit quaternion to twice the digits of double: value + error. Differences of neighbouring keys keep full relative
-// accuracy at every angle, down to steps far below the rounding of the keys.
+// A unit quaternion in double-double, value + error. Differences of neighbouring keys thus keep full relative accuracy
+// at every angle, down to steps far below the rounding of the keys.
 struct UnitQuaternion {
   Quaternion value, error;
 };
 struct Normalized {
   UnitQuaternion unit;
   double norm;        // of the input; DBL_MAX where it would overflow
-  double norm_error;  // what its rounding left
+  double norm_error;  // rounding error of norm
 };
 
-// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double, to
-// 1e-200.
+// q / |q| for finite q != 0 of any magnitude. |value + error| = 1 to 1e-30; value is the nearest double, to 1e-200.
 Normalized normalize(const Quaternion& q);
 
-// |a| to 1e-30 relative; the largest component as scale_for leaves it.
+// |a| to 1e-30 relative; the largest component is in the range to which scale_for scales.
 DoubleDouble precise_length(const Quaternion& a);
 
 inline Quaternion difference(const UnitQuaternion& a, const UnitQuaternion& b) {

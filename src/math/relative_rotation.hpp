@@ -1,5 +1,5 @@
-// The rotation between two unit quaternions, good to a few eps relative at every angle. Plain arithmetic: the same bits
-// in the core and in kernels of either arithmetic. What it promises is in so3.hpp.
+// The rotation between two unit quaternions, good to a few eps relative at every angle (math/so3.hpp states it
+// exactly). Plain arithmetic: the same bits in the core and in kernels of either arithmetic.
 #pragma once
 
 #include "math/trigonometry.hpp"
@@ -12,7 +12,7 @@ struct RelativeRotationOf {
   Number sin_part[3], angle;
 };
 
-// From a + a_error to b + b_error.
+// The rotation from a + a_error to b + b_error.
 template <class Number>
 QTRAJ_INLINE RelativeRotationOf<Number> relative_rotation_of(const Number (&a)[4], const Number (&a_error)[4],
                                                              const Number (&b)[4], const Number (&b_error)[4]) {
@@ -23,7 +23,7 @@ QTRAJ_INLINE RelativeRotationOf<Number> relative_rotation_of(const Number (&a)[4
   }
   const Number chord_length = square_root(dot_product<Plain>(chord, chord));
   const Number opposite_length = square_root(dot_product<Plain>(opposite_chord, opposite_chord));
-  // Im(a* b) = Im(a* (b - a)) = Im(a* (b + a)): the shorter factor loses nothing
+  // Im(a* b) = Im(a* (b - a)) = Im(a* (b + a)): the shorter of the two loses nothing to cancellation
   const auto is_long = opposite_length < chord_length;
   for (size_t k = 0; k < 4; ++k) shorter[k] = select(is_long, opposite_chord[k], chord[k]);
   const Number(&c)[4] = shorter;

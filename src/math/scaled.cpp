@@ -11,7 +11,7 @@ double unscale(double x, int steps) {
     if (std::abs(x) > DBL_MAX * 0x1p-600) return x < 0 ? -kInfinity : kInfinity;
     x *= 0x1p600;
   }
-  // the first step that rounds leaves a number that the next makes 0
+  // no double rounding: the first step that rounds leaves a subnormal number, which the next step makes 0
   for (; steps < 0 && x != 0; ++steps) x *= 0x1p-600;
   return x;
 }

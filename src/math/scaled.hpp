@@ -1,4 +1,5 @@
-// Vectors of any magnitude, from subnormal numbers to DBL_MAX, where products neither overflow nor vanish.
+// Vectors with an exponent of their own: inputs of any magnitude, from subnormal numbers to DBL_MAX, whose products
+// neither overflow nor underflow.
 #pragma once
 
 #include "math/quaternion.hpp"
@@ -12,7 +13,7 @@ struct Scaled {
   int steps;
 };
 
-// x * 2^(600 steps), an infinity where that overflows; no flag tells of it.
+// x * 2^(600 steps). Where that overflows, an infinity, without raising FE_OVERFLOW.
 double unscale(double x, int steps);
 template <class Vector>
 Vector unscale(const Scaled<Vector>& a) {
@@ -22,15 +23,15 @@ Vector unscale(const Scaled<Vector>& a) {
   return result;
 }
 
-// The same vector with the largest component between 2^-474 and 2^424, if it is not 0 and was between 2^-1074 and
-// 2^1024.
+// a * 2^(600 steps), scaled so that the largest component of `value` is between 2^-474 and 2^424, for any a other than
+// 0.
 template <class Vector>
 Scaled<Vector> scale(const Vector& a, int steps = 0) {
   const double factor = scale_for(largest_component(a));
   return {factor * a, steps + (factor < 1) - (factor > 1)};
 }
 
-// a + b. What is below 2^-600 of the larger one may be lost.
+// a + b. Terms below 2^-600 of the larger one may be lost.
 template <class Vector>
 Scaled<Vector> sum(const Scaled<Vector>& a, const Scaled<Vector>& b) {
   const int steps = std::max(a.steps, b.steps);

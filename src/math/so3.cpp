@@ -8,7 +8,8 @@
 namespace qtraj {
 namespace {
 
-// By polynomials below pi/2, where the quotients would cancel.
+// C, K, D and E of half_angle.hpp: by polynomials for half angles up to pi/2, where the quotients would cancel, and by
+// the quotients beyond.
 RateFactors<double> factors_of(const Vector3& r) {
   const double y = 0.25 * dot(r, r);
   if (y <= kPolynomialLimit) return polynomial_factors(y);
@@ -62,7 +63,7 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
 namespace {
 
 Vector3 right_jacobian(const RateFactors<double>& f, const Vector3& r, const Vector3& d) {
-  // the factors go with d: for r of many turns r x (r x d) could overflow where its multiple does not
+  // d is multiplied by the factors first: for r of many turns r x (r x d) could overflow where its multiple does not
   const Vector3 first = cross(r, (0.5 * f.k * f.k) * d);
   const Vector3 second = cross(r, cross(r, (0.25 * (f.k * f.k - f.c * f.d)) * d));
   return d - first + second;

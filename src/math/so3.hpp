@@ -1,4 +1,5 @@
-// Exponential and logarithm on S^3 (half angles), and the right Jacobian of SO(3).
+// Exponential and logarithm on S^3 (half angles), and the right Jacobian of SO(3). What kernels share with the core is
+// in half_angle.hpp and relative_rotation.hpp.
 #pragma once
 
 #include "math/matrix3.hpp"
@@ -13,26 +14,28 @@ Quaternion exp_map(const Vector3& v);
 Quaternion exp_map_minus_one(const Vector3& v);
 
 // From a to b along the great circle of S^3, both unit: sin_part = Im(a* b), |sin_part| = sin(angle), angle in [0, pi].
-// Good to a few eps relative at every angle, since it is made of the difference and the sum of a and b.
+// Good to a few eps relative at every angle, because it is computed from the difference and the sum of a and b.
 struct RelativeRotation {
   Vector3 sin_part;
   double angle;
 };
 RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b);
 
-// Its logarithm, the half-angle vector; 0 where no axis is known.
+// Its logarithm, the half-angle vector. Singular: 0 where sin_part is 0 and there is no axis.
 inline Vector3 log_of(const RelativeRotation& rotation) {
   const double sine = length(rotation.sin_part);
   if (sine == 0) return rotation.sin_part;
   return (rotation.angle / sine) * rotation.sin_part;
 }
 
-// log(a* b), the half-angle vector on the arc the signs give; 0 for b = a, and for b = -a, where no axis is known.
+// log(a* b), the half-angle vector along the arc that the signs give. Singular: 0 for b = a, and for b = -a, where
+// there is no axis.
 Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b);
 
 // The half-angle vector of the rotation on the branch nearest to `previous`, so that a sequence of logs is continuous.
-// Within rounding of +-1, |sin_part| <= 16 epsilon (1 + |previous|), the axis is noise: the nearest multiple of pi of
-// the right parity along `previous` (0 after 0). epsilon is that of the type the keys came in.
+// Singular: where the rotation is +-1 to rounding, |sin_part| <= 16 epsilon (1 + |previous|), its axis is noise; the
+// result is then the nearest multiple of pi of the right parity along `previous` (0 after 0). epsilon is that of the
+// type the keys came in.
 Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double epsilon);
 
 // Jr(r) d, the right Jacobian: omega_body = Jr(r) r' for the rotation vector r (full angle), rad. Any |r| below 1e15.
@@ -42,12 +45,12 @@ Vector3 unwrap(const RelativeRotation& rotation, const Vector3& previous, double
 // with its quotients (1 - cos)/|r|^2 = K^2/2 and (|r| - sin)/|r|^3 = (K^2 - C D)/4, which lose no digits near 0.
 Vector3 right_jacobian(const Vector3& r, const Vector3& d);
 
-// Jr^-1(r) w: the derivative of the rotation vector r that a body rate w makes. |r| < 2 pi.
+// Jr^-1(r) w: the derivative of the rotation vector r that belongs to the body rate w. |r| < 2 pi.
 //   Jr^-1(r) w = w + (1/2) r x w + (D/(4 K)) r x (r x w), the same book, eq. 10.87, its quotient without cancellation.
 Vector3 inverse_right_jacobian(const Vector3& r, const Vector3& w);
 
-// What turning adds to the body acceleration: alpha_body = Jr(r) r'' + beta(r, r'), beta = (d Jr(r)/dt) r'. Quadratic
-// in d. With E = (3 D - K)/y:
+// What the change of Jr adds to the body acceleration: alpha_body = Jr(r) r'' + beta(r, r'), beta = (d Jr(r)/dt) r'.
+// Quadratic in its second argument. With E = (3 D - K)/y:
 //   beta(r, d) = (K D/4)(r.d) r x d + ((C E - K D)/16)(r.d) r x (r x d) + ((K^2 - C D)/4) d x (r x d).
 struct TurningFactors {
   double along_once, along_twice, sideways;  // K D/4, (C E - K D)/16, (K^2 - C D)/4
@@ -64,7 +67,8 @@ struct JacobianAndTurning {
 };
 JacobianAndTurning jacobian_and_turning(const Vector3& r);
 
-// In both functions beta = a (r.d) r x d + m x (r x d), m = b (r.d) r + s d, with the factors a, b, s in their order.
+// beta(r, d). Here and below beta = a (r.d) r x d + m x (r x d), m = b (r.d) r + s d, a, b, s being the factors in
+// their order.
 inline Vector3 turning_acceleration(const TurningFactors& f, const Vector3& r, const Vector3& d) {
   const double along = dot(r, d);
   const Vector3 once = cross(r, d), m = (f.along_twice * along) * r + f.sideways * d;
@@ -82,7 +86,7 @@ inline Matrix3 turning_jacobian(const TurningFactors& f, const Vector3& r, const
   return matrix;
 }
 
-// Body to world and back: the same vector in the other frame.
+// The same vector in the other frame.
 inline Vector3 to_world(const Quaternion& q_wb, const Vector3& v_body) { return rotate(q_wb, v_body); }
 inline Vector3 to_body(const Quaternion& q_wb, const Vector3& v_world) { return rotate(conjugate(q_wb), v_world); }
 

@@ -43,7 +43,7 @@ DoubleDouble precise_atan2(const DoubleDouble& y, const DoubleDouble& x) {
   if (steep) eighths = 2 - eighths, sign = -sign;
   if (x.value < 0) eighths = 4 - eighths, sign = -sign;
 
-  // multiples of pi/4 and what their rounding left
+  // multiples of pi/4 in double-double
   constexpr DoubleDouble kEighths[] = {{0, 0},
                                        {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
                                        {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},

@@ -23,8 +23,8 @@ SinCos sin_cos(double x);
 // The sign of a zero is not looked at: atan2(-0.0, -1.0) is pi.
 double atan2(double y, double x);
 
-// The same to more digits than double holds, so that what is made of them rounds once. A double-double is a sum of two
-// doubles, the second at most 2 eps of the first.
+// The same functions in double-double, so that results made of them are rounded once. In arguments and results the
+// error part is at most 2 eps of the value.
 //
 // Angle of the point (x, y), rad, for y >= 0: in [0, pi], to 0.2 eps relative. |x|, |y| < 2^500.
 DoubleDouble precise_atan2(const DoubleDouble& y, const DoubleDouble& x);
@@ -38,7 +38,7 @@ namespace {
 // ---- Sine, cosine and arctangent of double, or of a vector of it, in plain arithmetic: the same bits everywhere, and
 // for a vector those of its samples one by one.
 
-// A polynomial without its first `skip` terms: callers add those last, so that they round once.
+// The terms c_k x^k from k = skip on, by Horner's scheme. Callers add the first terms last, so that these round once.
 template <class Number, size_t Terms>
 QTRAJ_INLINE Number tail(const double (&coefficients)[Terms], size_t skip, Number x) {
   Number sum(coefficients[Terms - 1]);
@@ -47,7 +47,7 @@ QTRAJ_INLINE Number tail(const double (&coefficients)[Terms], size_t skip, Numbe
   return sum;
 }
 
-// x = quarters pi/2 + high + low, without loss where x is close to a multiple of pi/2.
+// Argument reduction: x = quarters pi/2 + high + low, without cancellation where x is close to a multiple of pi/2.
 template <class Number>
 struct Reduced {
   Number quarters, high, low;
@@ -58,8 +58,8 @@ QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, Reduced<Number>& 
   // pi/2 to 159 bits
   const Number half_pi(0x1.921fb54442d18p+0), half_pi_low(0x1.1a62633145c07p-54),
       half_pi_lowest(-0x1.f1976b7ed8fbcp-110);
-  // x less the first product is exact, the two being within a factor of 2 or the second 0, and so is each step but the
-  // last
+  // x - product.value is exact, because the two are within a factor of 2 or the product is 0; every step but the last
+  // is exact too
   const DoubleDoubleOf<Number> product = two_product(quarters, half_pi),
                                product_low = two_product(quarters, half_pi_low);
   const DoubleDoubleOf<Number> once = two_sum(x - product.value, -product.error);
@@ -75,11 +75,11 @@ QTRAJ_INLINE Reduced<Number> reduce(Number x) {
   const Number quarters_per_radian(0x1.45f306dc9c883p-1);
   Reduced<Number> reduced;
   subtract_quarters(x, round_to_integer(x * quarters_per_radian), reduced);
-  // of many turns the first count may be a quarter off: its product was rounded
+  // for an angle of many turns the first count may be off by a quarter, because it was taken from a rounded product
   const Number missed = round_to_integer(reduced.high * quarters_per_radian);
   const Number zero(0.0);
   if (any(missed < zero) || any(zero < missed))
-    subtract_quarters(x, reduced.quarters + missed, reduced);  // the same again where nothing was missed
+    subtract_quarters(x, reduced.quarters + missed, reduced);  // lanes that missed none get the same result again
   return reduced;
 }
 
@@ -97,7 +97,7 @@ QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
 
   const Number y = high * high;
   const Number s = high + (high * tail(SincArc::kDouble, 1, y) + low);
-  // 1 - y/2 rounded, what the rounding left, and the small terms
+  // 1 - y/2, its rounding error, and the small terms
   const Number leading = one - half * y;
   const Number c = leading + (((one - leading) - half * y) + (tail(CosArc::kDouble, 2, y) - high * low));
 
@@ -126,7 +126,7 @@ QTRAJ_INLINE Number atan2_of(Number y, Number x) {
   eighths = select(x < zero, four - eighths, eighths);
   sign = select(x < zero, -sign, sign);
 
-  // multiples of pi/4, exact, and what the rounding of pi/4 left of them
+  // a multiple of pi/4 in double-double; its value is exact
   const Number high = eighths * Number(0x1.921fb54442d18p-1), low = eighths * Number(0x1.1a62633145c07p-55);
   const Number atan_tail = ratio * tail(AtanRatio::kDouble, 1, ratio * ratio);
   const Number magnitude = select(eighths < one, ratio + atan_tail, high + (sign * ratio + (sign * atan_tail + low)));

@@ -1,5 +1,5 @@
-// Unit quaternions to twice the digits of double. Plain arithmetic: the same bits in the core and in kernels of either
-// arithmetic.
+// Unit quaternions in double-double, and inverse lengths of nearly unit ones. Plain arithmetic, unless a function has
+// it as a parameter: the same bits in the core and in kernels of either arithmetic.
 #pragma once
 
 #include "math/arithmetic.hpp"
@@ -8,7 +8,7 @@
 namespace qtraj {
 namespace {
 
-// |a| to 1e-30 relative, as value + error, and 1/|a|; components whose squares neither overflow nor vanish.
+// |a| to 1e-30 relative, as value + error, and 1/|a|; the squares of the components neither overflow nor underflow.
 template <class Number>
 struct PreciseLength {
   Number value, error, inverse;
@@ -22,15 +22,16 @@ QTRAJ_INLINE PreciseLength<Number> precise_length_of(const Number (&a)[4]) {
     const DoubleDoubleOf<Number> sum = two_sum(square.value, product.value);
     square = {sum.value, square.error + (product.error + sum.error)};
   }
-  // one Newton step for the second part
+  // one Newton step gives the error
   const Number length = square_root(square.value), inverse = Number(1.0) / length;
   const DoubleDoubleOf<Number> length_squared = two_product(length, length);
   const Number rest = (square.value - length_squared.value) - length_squared.error + square.error;
   return {length, (Number(0.5) * rest) * inverse, inverse};
 }
 
-// a / |a| to 1e-30, as value + error; value is the nearest double, a zero keeps its sign. Components below 2^-700 are
-// left as the first quotient, below 2 eps off: beneath 2^-900 two_product is not exact, and rounds in two ways.
+// a / |a| to 1e-30, as value + error; value is the nearest double, a zero keeps its sign. Components below 2^-700 stay
+// the first quotient, less than 2 eps off: below 2^-900 two_product is not exact, and its two forms, with and without
+// FMA, would give different bits.
 template <class Number>
 struct UnitOf {
   Number value[4], error[4];
@@ -53,10 +54,11 @@ QTRAJ_INLINE UnitOf<Number> unit_of(const Number (&a)[4]) {
   return unit;
 }
 
-// ---- Lengths of quaternions that are unit to the rounding of float, as nearly all are: their inverses by series,
-// without division or root. Others are for the callers, who select lane by lane: the row alone tells which it is.
+// ---- Inverse lengths of quaternions that are unit to the rounding of float, as nearly all are: by series, without
+// division or square root. Callers compute those of other quaternions and select lane by lane, so that the result of a
+// row does not depend on its neighbours in the vector.
 
-// |q|^2 = 1 + excess. Where it is near 1 the terms left out of the series are below 2^-57.
+// Whether |q|^2 = 1 + excess is so near 1 that the terms left out of the series are below 2^-57.
 template <class Number>
 QTRAJ_INLINE auto is_near_one(Number excess) {
   return absolute(excess) < Number(0x1p-19);

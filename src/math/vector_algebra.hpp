@@ -1,4 +1,4 @@
-// Rates as evaluators leave them, and the vector algebra they share.
+// Rates as evaluators return them, and the vector algebra that evaluators share.
 #pragma once
 
 #include "math/arithmetic.hpp"
@@ -6,8 +6,8 @@
 namespace qtraj {
 namespace {
 
-// Rates in the body frame, per unit of the segment's own parameter: numbers of the size of the rotation, whatever the
-// length of the segment. The evaluator's scale, in 1/s, takes them to time.
+// Rates in the body frame, per unit of the segment's own parameter: their size is that of the rotation, however long or
+// short the segment is in time. Multiplied by the evaluator's scale, in 1/s, they become rates in time.
 template <class Number>
 struct Rates {
   Number omega[3];
@@ -42,7 +42,7 @@ QTRAJ_INLINE void rotate_to_world(const Number (&q)[4], Number (&v)[3]) {
   for (size_t k = 0; k < 3; ++k) v[k] = v[k] + Arithmetic::multiply_add(q[0], once[k], twice[k]);
 }
 
-// The first and the second derivative of a polynomial with vector coefficients.
+// The first and the second derivative of a polynomial with vector coefficients, at x.
 template <class Arithmetic, class Number, size_t Terms, size_t Size>
 QTRAJ_INLINE void first_derivative(const Number (&c)[Terms][Size], Number x, Number (&first)[Size]) {
   Number slopes[Terms - 1][Size];

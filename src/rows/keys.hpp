@@ -16,7 +16,7 @@ size_t normalize(const NormalizeRows& rows, size_t first, size_t count) {
   return do_rows<Number>(rows.q.is_float, first, count, [&](size_t row, auto real) {
     using Real = decltype(real);
     Number a[4];
-    if (!load_rows<Real>(rows.q, row, a)) return false;
+    if (!load_own_rows<Real>(rows.q, row, a)) return false;
     store_rows(unit_of(a).value, static_cast<Real*>(rows.q_out.data), row);
     return true;
   });
@@ -40,9 +40,9 @@ size_t rotate(const RotateRows& rows, size_t first, size_t count) {
 // Rows `row` - 1, done and written, and `row`, `row` + 1, ..., as they are given; false where one is not ordinary.
 template <class Real, class Number>
 QTRAJ_INLINE bool load_neighbours(const ContinuousRows& rows, size_t row, Number (&previous)[4], Number (&q)[4]) {
-  if (!load_rows<Real>(rows.q, row, q)) return false;
+  if (!load_own_rows<Real>(rows.q, row, q)) return false;
   double window[kLanesOf<Number>][4], before[4];
-  if (!load_rows<Real>(written(rows.q_out), row - 1, before)) return false;
+  if (!load_own_rows<Real>(written(rows.q_out), row - 1, before)) return false;
   std::memcpy(window[0], before, sizeof before);
   double given[4];
   for (size_t lane = 1; lane < kLanesOf<Number>; ++lane) {
@@ -102,7 +102,7 @@ size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count) {
   return do_rows_for_largest<Number>(rows.q.is_float, first, count, *rows.worst_norm_error,
                                      [&](size_t row, Number& worst, auto real) {
                                        Number q[4];
-                                       if (!load_rows<decltype(real)>(rows.q, row, q) || has_tiny(q)) return false;
+                                       if (!load_own_rows<decltype(real)>(rows.q, row, q) || has_tiny(q)) return false;
                                        const UnitOf<Number> unit = unit_of(q);
                                        store_rows(unit.value, rows.unit[0], row);
                                        store_rows(unit.error, rows.unit_error[0], row);

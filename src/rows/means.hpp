@@ -16,7 +16,7 @@ size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count) {
   return do_rows_for_largest<Number>(
       rows.weights.is_float, first, count, *rows.largest, [&](size_t row, Number& largest, auto real) {
         Number weight[1];
-        if (!load_numbers<decltype(real)>(rows.weights, row, weight) || !all(is_finite(weight[0]))) return false;
+        if (!load_own_numbers<decltype(real)>(rows.weights, row, weight) || !all(is_finite(weight[0]))) return false;
         if (any(weight[0] < Number(0.0))) return false;
         largest = maximum(largest, weight[0]);
         return true;
@@ -37,12 +37,12 @@ QTRAJ_INLINE void prefetch_samples(const SampleRows& samples, size_t row) {
 // Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
 template <class Real, bool kWeighted, class Number>
 QTRAJ_INLINE bool load_samples(const SampleRows& samples, size_t row, Number (&q)[4], Number& weight) {
-  if (!load_numbers<Real>(samples.q, row, q)) return false;
+  if (!load_own_numbers<Real>(samples.q, row, q)) return false;
   if (any(reaches_two(q)) && !all(is_ordinary(q))) return false;
   weight = Number(1.0);
   if constexpr (!kWeighted) return true;
   Number given[1];
-  if (!load_numbers<Real>(samples.weights, row, given)) return false;
+  if (!load_own_numbers<Real>(samples.weights, row, given)) return false;
   weight = Number(samples.weight_scale) * given[0];
   return samples.is_padded || all(Number(0.0) < weight);
 }

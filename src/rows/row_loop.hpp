@@ -122,6 +122,19 @@ QTRAJ_INLINE bool load_numbers(const Input<Width>& array, size_t row, Number (&t
   return true;
 }
 
+// The same of an array that has a row of its own for each row of the call.
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_own_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  const Real* from = static_cast<const Real*>(array.data);
+  if (!can_convert(from, row, to)) return false;
+  convert_rows(from, row, to);
+  return true;
+}
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_own_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  return load_own_numbers<Real>(array, row, to) && all(is_ordinary(to));
+}
+
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   return load_numbers<Real>(array, row, to) && all(is_ordinary(to));

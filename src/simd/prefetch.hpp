@@ -1,5 +1,6 @@
-// Memory asked for ahead of its use. Processors do so themselves for steady reading, but not beyond a page, nor while a
-// loop over a block does not read; and a store outside the caches first reads its line, which they see late.
+// Software prefetch. The hardware prefetcher follows steady reads, but not across a page boundary, nor while a loop
+// over a tile reads nothing new; and a store that misses the caches first reads its line, which the prefetcher notices
+// late.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ QTRAJ_INLINE void prefetch_for_writing(const void* to, size_t bytes) {
 #endif
 }
 
-// Of the rows that are written 4 KiB after `row`, where there are as many.
+// Prefetches the kRows rows that will be written 4 KiB after `row`, if the output has that many.
 template <class Real, size_t Width, size_t kRows>
 QTRAJ_INLINE void prefetch_output(const Real* to, size_t row, size_t count) {
   constexpr size_t kRowsAhead = 4096 / (Width * sizeof(Real));

@@ -1,5 +1,5 @@
-// Between memory, where the numbers of a row stand together, and vectors, one for each number of many rows: gathered,
-// loaded and transposed, interleaved and stored.
+// Conversion between rows in memory (array of structures) and one vector per field of many rows (structure of arrays):
+// gathers, loads with a transposition, interleaved stores.
 #pragma once
 
 #include "simd/wide.hpp"
@@ -9,11 +9,12 @@ namespace {
 
 // ---- Gathering and loading ----
 
-// Lanes of int64 that accompany a vector of double.
+// A vector of int64 with the lanes of a vector of double.
 using IndexTag = hn::RebindToSigned<Wide<double>::Tag>;
 using Indices = hn::Vec<IndexTag>;
 
-// x86 gathers merge into a register, and one that may be any waits for whatever was left in it: these merge into 0.
+// An x86 gather merges into its destination register. Were that left undefined, the gather would have a false
+// dependency on whatever wrote the register last: these merge into a zeroed register, which has none.
 #if HWY_TARGET == HWY_AVX3
 QTRAJ_INLINE Indices gather(const int64_t* from, Indices at) {
   return Indices{_mm512_mask_i64gather_epi64(_mm512_setzero_si512(), 0xff, at.raw, from, 8)};
@@ -38,8 +39,8 @@ QTRAJ_INLINE Wide<double> gather(const double* from, Indices at) {
 }
 #endif
 
-// Fields first..first + 3 (vectors of two lanes: + 1) of one record for each lane: rows are loaded and transposed,
-// which is several times faster than to gather field by field.
+// Loads fields first..first + 3 (vectors of two lanes: + 1) of one record per lane. Loading rows and transposing them
+// is several times faster than one gather per field.
 constexpr size_t kTransposed = HWY_LANES(double) < 4 ? 2 : 4;
 
 QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(double)], size_t first,
@@ -50,7 +51,7 @@ QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(doubl
   fields[0].lanes = hn::InterleaveLower(tag, row0, row1);
   fields[1].lanes = hn::InterleaveUpper(tag, row0, row1);
 #elif HWY_MAX_BYTES == 32
-  // two fields of one record and of the next but one
+  // lower half: two fields of record `lane`; upper half: those of record `lane` + 2
   const hn::Half<Wide<double>::Tag> half;
   const auto pairs = [&](size_t lane, size_t field) {
     return hn::Combine(tag, hn::LoadU(half, records[lane + 2] + field), hn::LoadU(half, records[lane] + field));
@@ -65,7 +66,7 @@ QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(doubl
   const auto row = [&](size_t lane) {
     return hn::Combine(tag, hn::LoadU(half, records[lane + 4] + first), hn::LoadU(half, records[lane] + first));
   };
-  // blocks of two lanes: [f0 of 0, 1][f2 of 0, 1] ...
+  // even01 in 128-bit blocks: [field 0 of records 0, 1][field 2 of 0, 1][field 0 of 4, 5][field 2 of 4, 5]
   const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
   const auto even01 = hn::InterleaveLower(tag, row0, row1), odd01 = hn::InterleaveUpper(tag, row0, row1);
   const auto even23 = hn::InterleaveLower(tag, row2, row3), odd23 = hn::InterleaveUpper(tag, row2, row3);
@@ -76,7 +77,7 @@ QTRAJ_INLINE void load_transposed(const double* const (&records)[HWY_LANES(doubl
 #endif
 }
 
-// All fields; the last group may overlap the one before, so that nothing past a record is read.
+// Loads all fields. The last group may overlap the one before, so that nothing past a record is read.
 template <size_t Fields>
 QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)], Wide<double> (&fields)[Fields]) {
   for (size_t first = 0; first + kTransposed <= Fields; first += kTransposed)
@@ -88,15 +89,15 @@ QTRAJ_INLINE void load_records(const double* const (&records)[HWY_LANES(double)]
 // ---- Storing ----
 
 #if HWY_TARGET == HWY_AVX3
-// AVX-512 takes any lanes of two vectors by one instruction: rows of four by 8 of them where unpacking takes 12, rows
-// of three by 6 instead of 9.
+// AVX-512 permutes any lanes of two vectors by one instruction (vpermt2pd, vpermt2ps): rows of four take 8 of them
+// where unpacking takes 12, rows of three 6 instead of 9.
 template <class Real>
 struct LaneTable {
   static constexpr size_t kLanes = Wide<Real>::kLanes;
-  alignas(64) hwy::MakeSigned<Real> lanes[kLanes];  // those of the second vector follow those of the first
+  alignas(64) hwy::MakeSigned<Real> lanes[kLanes];  // source lanes; the second vector's are numbered after the first's
 };
 
-// `group` lanes of the first vector, as many of the second, and so on; both from lane `begin` on.
+// Alternates: `group` lanes of the first vector, as many of the second, and so on, both from lane `begin` on.
 template <class Real>
 constexpr LaneTable<Real> alternating(size_t begin, size_t group) {
   LaneTable<Real> table = {};
@@ -107,8 +108,9 @@ constexpr LaneTable<Real> alternating(size_t begin, size_t group) {
   return table;
 }
 
-// Rows of three, for the vector of memory of that number: its lanes of component 1 from the second vector, then those
-// of component 2. The others come from the first vector: before, where their rows stand; then as they are in place.
+// Rows of three take two permutations for each vector in memory, whose index is `number`. Component 1: its lanes come
+// from the second vector, all others from the lanes of their rows in the first. Component 2: its lanes come from the
+// second vector, all others stay in place.
 template <class Real>
 constexpr LaneTable<Real> of_three(size_t number, size_t component) {
   LaneTable<Real> table = {};

@@ -1,6 +1,7 @@
-// Functions compiled for AVX leave the upper halves of the vector registers zero, so that the SSE code of the caller
-// does not pay for merging with them, ten times its time on some processors. Compilers place vzeroupper in functions
-// that use vectors; GCC 12 omits it where it stores zeros 32 bytes at a time in a function that uses none.
+// vzeroupper at the end of functions compiled for AVX. Were the upper halves of the vector registers left dirty, the
+// caller's SSE code would pay for merging with them at every instruction, ten times its run time on some processors.
+// Compilers insert vzeroupper in functions that use vectors, but GCC 12 omits it where the only use is to store zeros
+// 32 bytes at a time.
 #pragma once
 
 namespace qtraj {

@@ -1,8 +1,9 @@
-// Vectors of samples: numbers for the evaluators, as many side by side as the instruction set of the file has lanes.
+// Wide<Real>, a vector of samples, one per lane: the Number that kernels instantiate evaluators with. A thin layer over
+// Highway, as wide as the vectors of the instruction set that the file is compiled for.
 #pragma once
 
-// The instruction set is that of the compiler's flags, without extensions we have no use for; nothing of Highway is
-// linked.
+// Static dispatch: the instruction set is that of the compiler's flags, without extensions that we do not use. Nothing
+// of Highway is linked.
 #define HWY_COMPILE_ONLY_STATIC
 #define HWY_DISABLE_F16C
 #define HWY_DISABLE_PCLMUL_AES
@@ -16,13 +17,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Those of single numbers, which the functions below would hide.
+// The scalar overloads, which the functions below would otherwise hide.
 using qtraj::all;
 using qtraj::any;
 using qtraj::select;
 using qtraj::two_product;
 
-// Which samples something holds for.
+// A lane mask: the samples that a condition holds for.
 template <class Real>
 struct WideMask {
   using Tag = hn::ScalableTag<Real>;
@@ -78,7 +79,7 @@ QTRAJ_INLINE Wide<Real> operator-(Wide<Real> a, Wide<Real> b) {
 }
 template <class Real>
 QTRAJ_INLINE Wide<Real> operator-(Wide<Real> a) {
-  // not hn::Neg, which hides from the compiler that fused steps negate for nothing
+  // not hn::Neg: the compiler cannot fold it into an FMA, which negates its operands for free
   return Wide<Real>::of(hn::Vec<typename Wide<Real>::Tag>{-a.lanes.raw});
 }
 template <class Real>
@@ -126,8 +127,8 @@ QTRAJ_INLINE Wide<Real> with_sign_of(Wide<Real> sign, Wide<Real> a) {
   return Wide<Real>::of(hn::CopySign(a.lanes, sign.lanes));
 }
 
-// One instruction more than the product where there is a fused one; the same error, which is exact (in the range that
-// error_free.hpp gives).
+// With FMA the rounding error of a product takes one more instruction. It is exact in the range that error_free.hpp
+// gives, hence the same bits.
 #if defined(__FMA__) || defined(__aarch64__)
 QTRAJ_INLINE DoubleDoubleOf<Wide<double>> two_product(Wide<double> a, Wide<double> b) {
   const Wide<double> product = a * b;
@@ -135,7 +136,7 @@ QTRAJ_INLINE DoubleDoubleOf<Wide<double>> two_product(Wide<double> a, Wide<doubl
 }
 #endif
 
-// ---- Numbers of double that accompany a vector of Real: times, and rates in time ----
+// ---- Doubles that accompany a vector of Real: times, and rates in time ----
 
 // As many doubles as Wide<Real> has lanes, in one vector or in two.
 template <class Real>

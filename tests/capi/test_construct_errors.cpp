@@ -31,7 +31,7 @@ template <class Real>
 std::vector<NamedDoor<Real>> doors() {
   using Rates = capi::Rates<Real>;
   std::vector<NamedDoor<Real>> all;
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     if (always_needs_rates(method)) continue;
     all.push_back({"create method " + std::to_string(method), false,
                    [method](const Keyframes<Real>& keys, const Rates&, qtraj_trajectory** out, size_t* bad_index) {
@@ -225,7 +225,7 @@ TEST_CASE("C API: rates too fast for their interval are OPTION with the index of
 
 TEST_CASE("C API: PERIODIC needs first and last key within 1e-6 rad as orientations", "[capi][construct][errors]") {
   for (const bool extrapolation : {false, true})
-    for (const int32_t method : kMethods)
+    for (const int32_t method : all_methods())
       for (const double sign : {1.0, -1.0})
         for (const double angle : {0.0, 0.9e-6, 1.1e-6, 0.1, 3.0}) {
           const bool has_ends = method == QTRAJ_SQUAD || method == QTRAJ_LOG_SPLINE || method == QTRAJ_ROTATION_SPLINE;

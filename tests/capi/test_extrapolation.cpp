@@ -121,7 +121,7 @@ TEST_CASE("C API: HOLD is the end key at any distance", "[capi][extrapolation]")
 
 TEST_CASE("C API: HOLD keeps the bits of the end key, signs of zeros included", "[capi][extrapolation]") {
   const Keyframes<double> keys = {{0, 1}, {1, -0.0, 0.0, -0.0, 0.6, -0.0, 0.8, 0.0}};
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     CAPTURE(method);
     const Options options = make_options({"", method});
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) == QTRAJ_OK);
@@ -219,7 +219,7 @@ TEST_CASE("C API: PERIODIC changes the sign at every wrap where the last key is 
     for (const double component : {std::cos(half), 0.6 * std::sin(half), 0.0, 0.8 * std::sin(half)})
       keys.q.push_back(component);
   }
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     const Options options = make_options({"", method});
     REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC) ==
             QTRAJ_OK);

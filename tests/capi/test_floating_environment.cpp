@@ -176,7 +176,7 @@ TEST_CASE("C API: setters, sizes and getters raise nothing", "[capi][floating]")
             kNothing);
     }
   }
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     const Options options = make_options({"", method});
     const Trajectory curve = must_build(options.get(), closed_tour<double>(6), rates_for<double>({"", method}, 6));
     for (const qtraj_trajectory* trajectory :

@@ -25,7 +25,7 @@ TEST_CASE("C API: getters describe the keys as given", "[capi][getters]") {
   for_double_and_float([&](auto zero) {
     using Real = decltype(zero);
     const Keyframes<Real> mine = {keys.times, std::vector<Real>(keys.q.begin(), keys.q.end())};
-    for (const int32_t method : kMethods) {
+    for (const int32_t method : all_methods()) {
       CAPTURE(method);
       const Trajectory curve = must_build(make_options({"", method}).get(), mine, rates_for<Real>({"", method}, 4));
       CHECK(qtraj_method(curve.get()) == method);
@@ -54,7 +54,7 @@ TEST_CASE("C API: getters describe the keys as given", "[capi][getters]") {
 
 TEST_CASE("C API: the first key keeps its sign and a tie keeps the given sign", "[capi][getters]") {
   const Keyframes<double> keys = {{0, 1, 2}, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0}};
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     const Trajectory curve = must_build(make_options({"", method}).get(), keys, rates_for<double>({"", method}, 3));
     double q[12];
     REQUIRE(qtraj_keys(curve.get(), nullptr, q) == QTRAJ_OK);
@@ -112,7 +112,7 @@ TEST_CASE("C API: keys refuses a NULL handle and overlapping outputs and then le
 TEST_CASE("C API: least_norm is that of NLERP's chords, 1 for other methods", "[capi][getters]") {
   // a right angle on S^3: the chord's middle is 1/sqrt 2 from the centre
   const Keyframes<double> keys = {{0, 2, 6, 7}, {1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}};
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     CAPTURE(method);
     if (method == QTRAJ_QUATERNION_QUINTIC) continue;  // has tests of its own
     const Trajectory curve = must_build(make_options({"", method}).get(), keys, rates_for<double>({"", method}, 4));

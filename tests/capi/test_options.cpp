@@ -104,7 +104,7 @@ TEST_CASE("C API: tangents and reference are settings of the methods that have t
 }
 
 TEST_CASE("C API: every method extrapolates by every rule, periodic on both sides or none", "[capi][options]") {
-  for (const int32_t method : kMethods)
+  for (const int32_t method : all_methods())
     for (const int32_t before : candidates(QTRAJ_EXTRAPOLATE_PERIODIC))
       for (const int32_t after : candidates(QTRAJ_EXTRAPOLATE_PERIODIC)) {
         CAPTURE(method, before, after);

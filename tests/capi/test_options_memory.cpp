@@ -14,7 +14,7 @@ struct Free {
 
 TEST_CASE("C API: options_create makes options of known methods and else writes NULL", "[capi][options][errors]") {
   qtraj_options* const stale = reinterpret_cast<qtraj_options*>(&std::free);
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     qtraj_options* options = stale;
     CHECK(qtraj_options_create(method, &options) == QTRAJ_OK);
     CHECK((options != nullptr && options != stale));
@@ -32,7 +32,7 @@ TEST_CASE("C API: options_create makes options of known methods and else writes 
 
 TEST_CASE("C API: QTRAJ_OPTIONS_BYTES of memory hold options of every method", "[capi][options][memory]") {
   const Keyframes<double> keys = closed_tour<double>(6);
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     CAPTURE(method);
     // exactly as long as asked for: a sanitizer sees any access past it
     const std::unique_ptr<void, Free> memory(std::malloc(QTRAJ_OPTIONS_BYTES));
@@ -87,7 +87,7 @@ TEST_CASE("C API: options_init refuses memory that is too small or misaligned an
 
 TEST_CASE("C API: options_init writes nothing outside QTRAJ_OPTIONS_BYTES", "[capi][options][memory]") {
   alignas(8) unsigned char memory[QTRAJ_OPTIONS_BYTES + 128];
-  for (const int32_t method : kMethods) {
+  for (const int32_t method : all_methods()) {
     std::memset(memory, 0x5a, sizeof memory);
     qtraj_options* options = nullptr;
     REQUIRE(qtraj_options_init(memory + 64, QTRAJ_OPTIONS_BYTES, method, &options) == QTRAJ_OK);

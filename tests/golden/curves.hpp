@@ -74,35 +74,6 @@ inline void add_rates(Keys& keys, uint64_t seed) {
   }
 }
 
-struct Setting {
-  int32_t method;
-  int32_t end = QTRAJ_END_DEFAULT;
-  int32_t tangents = QTRAJ_TANGENT_DEFAULT;
-  int32_t reference = QTRAJ_REFERENCE_DEFAULT;
-
-  bool has_omega() const { return tangents == QTRAJ_TANGENT_GIVEN || capi::always_needs_rates(method); }
-  bool has_alpha() const { return method == QTRAJ_ROTATION_QUINTIC || method == QTRAJ_QUATERNION_QUINTIC; }
-};
-
-inline std::vector<Setting> settings() {
-  std::vector<Setting> all = {{QTRAJ_SLERP},
-                              {QTRAJ_NLERP},
-                              {QTRAJ_HERMITE},
-                              {QTRAJ_ROTATION_QUINTIC},
-                              {QTRAJ_QUATERNION_QUINTIC},
-                              {QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN}};
-  for (const int32_t end : {QTRAJ_END_CHORD, QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN, QTRAJ_END_PERIODIC})
-    for (const int32_t tangents : {QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_MEAN_VELOCITY})
-      all.push_back({QTRAJ_SQUAD, end, tangents});
-  for (const int32_t end : {QTRAJ_END_NATURAL, QTRAJ_END_NOT_A_KNOT, QTRAJ_END_PERIODIC})
-    for (const int32_t reference : {QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_MEAN, QTRAJ_REFERENCE_GIVEN})
-      all.push_back({QTRAJ_LOG_SPLINE, end, QTRAJ_TANGENT_DEFAULT, reference});
-  for (const int32_t end :
-       {QTRAJ_END_ESTIMATED, QTRAJ_END_CHORD, QTRAJ_END_NATURAL, QTRAJ_END_GIVEN, QTRAJ_END_PERIODIC})
-    all.push_back({QTRAJ_ROTATION_SPLINE, end});
-  return all;
-}
-
 struct Outside {
   int32_t before, after;
 };
@@ -112,7 +83,7 @@ constexpr Outside kOutside[] = {{QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_HOLD
 constexpr Outside kWrapped = {QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC};
 
 struct Curve {
-  Setting setting;
+  capi::Variant setting;
   Outside outside;
   Keys keys;
 };
@@ -123,7 +94,7 @@ inline std::vector<Curve> curves() {
   for (Keys& keys : open) add_rates(keys, 6);
   add_rates(tour, 7);
   std::vector<Curve> all;
-  for (const Setting& setting : settings()) {
+  for (const capi::Variant& setting : capi::variants()) {
     all.push_back({setting, kWrapped, tour});
     all.push_back({setting, kOutside[all.size() % 3], tour});
     if (setting.end == QTRAJ_END_PERIODIC) continue;

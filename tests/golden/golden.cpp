@@ -47,7 +47,7 @@ void require(bool condition, const char* what) {
 template <class Real>
 capi::Trajectory build(const Curve& curve) {
   qtraj_options* options = nullptr;
-  const golden::Setting& setting = curve.setting;
+  const capi::Variant& setting = curve.setting;
   require(qtraj_options_create(setting.method, &options) == QTRAJ_OK, "options_create");
   const capi::Options owner(options);
   const double omega[3] = {0.25, -0.5, 0.125}, q_wb[4] = {1.5, 0.25, -0.125, 0.5};
@@ -71,9 +71,9 @@ capi::Trajectory build(const Curve& curve) {
   qtraj_trajectory* out = nullptr;
   const size_t count = keys.times.size();
   const qtraj_status status =
-      setting.has_omega() ? capi::create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), q.data(), w.data(),
-                                                    setting.has_alpha() ? a.data() : nullptr, count, &out, nullptr)
-                          : capi::create_with_options(options, keys.times.data(), q.data(), count, &out, nullptr);
+      setting.needs_rates() ? capi::create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), q.data(), w.data(),
+                                                      setting.needs_alpha() ? a.data() : nullptr, count, &out, nullptr)
+                            : capi::create_with_options(options, keys.times.data(), q.data(), count, &out, nullptr);
   require(status == QTRAJ_OK, "a curve cannot be built");
   return capi::Trajectory(out);
 }

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "support/method_settings.hpp"
+
 namespace capi {
 
 struct Destroy {
@@ -16,17 +18,6 @@ struct Destroy {
 };
 using Trajectory = std::unique_ptr<qtraj_trajectory, Destroy>;
 using Options = std::unique_ptr<qtraj_options, Destroy>;
-
-constexpr int32_t kMethods[] = {QTRAJ_SLERP,
-                                QTRAJ_NLERP,
-                                QTRAJ_SQUAD,
-                                QTRAJ_LOG_SPLINE,
-                                QTRAJ_ROTATION_SPLINE,
-                                QTRAJ_HERMITE,
-                                QTRAJ_ROTATION_QUINTIC,
-                                QTRAJ_QUATERNION_QUINTIC};
-// Rates at the keys are arguments of some methods; of the others they may be with a setting.
-constexpr bool always_needs_rates(int32_t method) { return method >= QTRAJ_HERMITE; }
 
 // No constant of any enumeration, now or later: values are appended one by one.
 constexpr int32_t kUnknown[] = {-1, 1000, INT32_MAX, INT32_MIN};

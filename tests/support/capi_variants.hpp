@@ -1,4 +1,4 @@
-// Every method with every setting that changes its curve, and keyframes that all of them accept.
+// Options for every variant of method_settings.hpp, and keyframes that all of them accept.
 #ifndef QTRAJ_TESTS_CAPI_VARIANTS_HPP
 #define QTRAJ_TESTS_CAPI_VARIANTS_HPP
 
@@ -13,48 +13,6 @@
 #include "support/random.hpp"
 
 namespace capi {
-
-struct Variant {
-  std::string name;
-  int32_t method;
-  int32_t end = QTRAJ_END_DEFAULT;
-  int32_t tangents = QTRAJ_TANGENT_DEFAULT;
-  int32_t reference = QTRAJ_REFERENCE_DEFAULT;
-
-  bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN || always_needs_rates(method); }
-  bool needs_alpha() const { return method == QTRAJ_ROTATION_QUINTIC || method == QTRAJ_QUATERNION_QUINTIC; }
-};
-
-inline std::vector<Variant> variants() {
-  std::vector<Variant> all = {{"SLERP", QTRAJ_SLERP}, {"NLERP", QTRAJ_NLERP}};
-  const std::pair<const char*, int32_t> squad_ends[] = {{"CHORD", QTRAJ_END_CHORD},
-                                                        {"ESTIMATED", QTRAJ_END_ESTIMATED},
-                                                        {"GIVEN", QTRAJ_END_GIVEN},
-                                                        {"PERIODIC", QTRAJ_END_PERIODIC}};
-  for (const auto& end : squad_ends) {
-    all.push_back({std::string("SQUAD CATMULL_ROM ") + end.first, QTRAJ_SQUAD, end.second, QTRAJ_TANGENT_CATMULL_ROM});
-    all.push_back(
-        {std::string("SQUAD MEAN_VELOCITY ") + end.first, QTRAJ_SQUAD, end.second, QTRAJ_TANGENT_MEAN_VELOCITY});
-  }
-  all.push_back({"SQUAD with rates", QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN});
-  const std::pair<const char*, int32_t> spline_ends[] = {
-      {"NATURAL", QTRAJ_END_NATURAL}, {"NOT_A_KNOT", QTRAJ_END_NOT_A_KNOT}, {"PERIODIC", QTRAJ_END_PERIODIC}};
-  for (const auto& end : spline_ends)
-    for (const int32_t reference : {QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_MEAN, QTRAJ_REFERENCE_GIVEN})
-      all.push_back({std::string("LOG_SPLINE ") + end.first + " reference " + std::to_string(reference),
-                     QTRAJ_LOG_SPLINE, end.second, QTRAJ_TANGENT_DEFAULT, reference});
-  const std::pair<const char*, int32_t> rotation_spline_ends[] = {{"ESTIMATED", QTRAJ_END_ESTIMATED},
-                                                                  {"CHORD", QTRAJ_END_CHORD},
-                                                                  {"NATURAL", QTRAJ_END_NATURAL},
-                                                                  {"GIVEN", QTRAJ_END_GIVEN},
-                                                                  {"PERIODIC", QTRAJ_END_PERIODIC}};
-  for (const auto& end : rotation_spline_ends)
-    all.push_back({std::string("ROTATION_SPLINE ") + end.first, QTRAJ_ROTATION_SPLINE, end.second});
-  all.push_back({"HERMITE", QTRAJ_HERMITE});
-  all.push_back({"ROTATION_QUINTIC", QTRAJ_ROTATION_QUINTIC});
-  all.push_back({"QUATERNION_QUINTIC", QTRAJ_QUATERNION_QUINTIC});
-  return all;
-}
 
 // Options of a variant. Given rates at the ends are `rate`, rad/s, about a fixed axis, body frame.
 inline Options make_options(const Variant& variant, double rate = 0.25) {

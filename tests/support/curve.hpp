@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/method_settings.hpp"
 #include "support/trajectory.hpp"
 #include "support/worst.hpp"
 
@@ -18,41 +19,19 @@ struct Variant {
   Settings settings;
 
   bool is(int32_t method) const { return settings.method == method; }
-  bool needs_omega() const { return settings.method >= QTRAJ_HERMITE || settings.tangents == QTRAJ_TANGENT_GIVEN; }
-  bool needs_alpha() const { return is(QTRAJ_ROTATION_QUINTIC) || is(QTRAJ_QUATERNION_QUINTIC); }
+  bool needs_omega() const {
+    return capi::always_needs_rates(settings.method) || settings.tangents == QTRAJ_TANGENT_GIVEN;
+  }
+  bool needs_alpha() const { return capi::method_of(settings.method).needs == capi::Needs::omega_and_alpha; }
   bool needs_end_rates() const { return settings.end == QTRAJ_END_GIVEN; }
   bool is_closed() const { return settings.end == QTRAJ_END_PERIODIC; }
 };
 
-// Every method with every setting that changes its curve. REFERENCE_GIVEN has its quaternion still to be set.
+// Those of method_settings.hpp. REFERENCE_GIVEN has its quaternion still to be set.
 inline std::vector<Variant> all_variants() {
-  const struct {
-    int32_t value;
-    const char* name;
-  } ends[] = {{QTRAJ_END_CHORD, "CHORD"},         {QTRAJ_END_NATURAL, "NATURAL"}, {QTRAJ_END_NOT_A_KNOT, "NOT_A_KNOT"},
-              {QTRAJ_END_ESTIMATED, "ESTIMATED"}, {QTRAJ_END_GIVEN, "GIVEN"},     {QTRAJ_END_PERIODIC, "PERIODIC"}};
-  std::vector<Variant> variants = {{"SLERP", {QTRAJ_SLERP}},
-                                   {"NLERP", {QTRAJ_NLERP}},
-                                   {"SQUAD with rates", {QTRAJ_SQUAD, QTRAJ_END_DEFAULT, QTRAJ_TANGENT_GIVEN}},
-                                   {"HERMITE", {QTRAJ_HERMITE}},
-                                   {"ROTATION_QUINTIC", {QTRAJ_ROTATION_QUINTIC}},
-                                   {"QUATERNION_QUINTIC", {QTRAJ_QUATERNION_QUINTIC}}};
-  for (const auto& end : ends) {
-    const bool log_only = end.value == QTRAJ_END_NOT_A_KNOT, natural = end.value == QTRAJ_END_NATURAL;
-    const bool periodic = end.value == QTRAJ_END_PERIODIC;
-    const std::string suffix = std::string(" ") + end.name;
-    if (!log_only && !natural) {
-      variants.push_back({"SQUAD CATMULL_ROM" + suffix, {QTRAJ_SQUAD, end.value, QTRAJ_TANGENT_CATMULL_ROM}});
-      variants.push_back({"SQUAD MEAN_VELOCITY" + suffix, {QTRAJ_SQUAD, end.value, QTRAJ_TANGENT_MEAN_VELOCITY}});
-    }
-    if (!log_only) variants.push_back({"ROTATION_SPLINE" + suffix, {QTRAJ_ROTATION_SPLINE, end.value}});
-    if (log_only || natural || periodic) {
-      variants.push_back({"LOG_SPLINE FIRST" + suffix, {QTRAJ_LOG_SPLINE, end.value, 0, QTRAJ_REFERENCE_FIRST}});
-      variants.push_back({"LOG_SPLINE MEAN" + suffix, {QTRAJ_LOG_SPLINE, end.value, 0, QTRAJ_REFERENCE_MEAN}});
-      variants.push_back({"LOG_SPLINE GIVEN" + suffix, {QTRAJ_LOG_SPLINE, end.value, 0, QTRAJ_REFERENCE_GIVEN}});
-    }
-  }
-  return variants;
+  std::vector<Variant> all;
+  for (const capi::Variant& v : capi::variants()) all.push_back({v.name, {v.method, v.end, v.tangents, v.reference}});
+  return all;
 }
 
 struct Curve {
