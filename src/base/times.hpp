@@ -11,8 +11,9 @@ Status check_knot(const double* times, size_t index);
 // The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);
 
-// Relative lengths of the two intervals around an inner knot t1: right = (t2 - t1)/(t2 - t0), left = (t1 - t0)/(t2 -
-// t0). The equations of splines use these shares, because products of the intervals themselves can overflow.
+// Relative lengths of the two intervals around an inner knot t1:
+//   left = (t1 - t0)/(t2 - t0),  right = (t2 - t1)/(t2 - t0).
+// The equations of splines use these shares, because products of the intervals themselves can overflow.
 struct IntervalShares {
   double left, right;
 };

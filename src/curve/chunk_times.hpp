@@ -150,8 +150,8 @@ class ChunkTimes {
     if (!is_finite(times_[0]) || !is_finite(times_[rows_ - 1])) return false;
     if (!__builtin_signbit(times_[0])) return ascend([](Time time) { return bits_of_time(time); });
     return ascend([](Time time) {
-      const BitsOf bits = bits_of_time(time), rest = hn::Set(Bits(), std::numeric_limits<int64_t>::max());
-      return hn::Xor(bits, hn::And(hn::BroadcastSignBit(bits), rest));
+      const BitsOf bits = bits_of_time(time), all_but_sign = hn::Set(Bits(), std::numeric_limits<int64_t>::max());
+      return hn::Xor(bits, hn::And(hn::BroadcastSignBit(bits), all_but_sign));
     });
   }
 

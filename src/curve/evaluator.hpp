@@ -2,16 +2,16 @@
 // several vectors can be started before the first of them is finished (sample_many.hpp):
 //   SegmentOf<Value>           the segment, its fields any kind of number
 //   scale(segment), offset(segment)
-//                              the parameter is x = (t - t_i) scale - offset; times scale, rates per unit of x are rates
-//                              in time
+//                              the parameter is x = (t - t_i) scale - offset; rates per unit of x, times scale, are
+//                              rates in time
 //   Partial<Number>            the partial result that start hands to finish
 //   start<Mode>(segment, x, partial)
 //                              the first step
 //   finish<Mode>(segment, x, partial, q)
 //                              the orientation
 //   finish_rates<Mode>(segment, x, partial, wants_alpha, q, rates)
-//                              the same orientation, and rates in the body frame per unit of x; alpha where wants_alpha,
-//                              which is the same for all samples of a call
+//                              the same orientation, and rates in the body frame per unit of x; alpha only where
+//                              wants_alpha, which is the same for all samples of a call
 #pragma once
 
 #include "curve/segment.hpp"
@@ -43,7 +43,8 @@ struct EvaluatorDefaults {
   // vectors than it costs to gather a segment per lane.
   static constexpr int kWork = 2;
 
-  // Whether runs with rates have a loop of their own (sample_many.hpp), for the segment known to be one in all lanes.
+  // Whether runs with rates have a loop of their own (sample_many.hpp), compiled for one segment in all lanes, instead
+  // of the one that they share with scattered times.
   template <class Real>
   static constexpr bool kOwnLoopWithRates = false;
 

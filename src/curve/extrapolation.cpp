@@ -28,8 +28,8 @@ WrappedTime wrap_time(const Trajectory& trajectory, double time) {
   const double quotient = half_distance / half_period;
   double turns = round_to_integer(quotient);
   if (turns > quotient) turns -= 1.0;
-  const double half_rest = half_distance - turns * half_period;
-  const double wrapped = first + 2.0 * half_rest;
+  const double half_remainder = half_distance - turns * half_period;
+  const double wrapped = first + 2.0 * half_remainder;
   const bool odd = (static_cast<int64_t>(turns) & 1) != 0;
   return {wrapped < first ? first : wrapped > last ? last : wrapped, odd && trajectory.negate_on_wrap};
 }

@@ -144,11 +144,11 @@ class Batch {
 
   // The parameters x of the times from i on, up to `end`.
   QTRAJ_INLINE Number position(size_t i, size_t end, Time knot, Time scale, Time offset) const {
-    double rest[kLanes];
+    double padded[kLanes];
     const double* times = times_.from(i);
     if (end - i < kLanes) {
-      times_.fill_up(i, end, rest);
-      times = rest;
+      times_.fill_up(i, end, padded);
+      times = padded;
     }
     Doubles<Real> x;
     for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
@@ -176,9 +176,9 @@ class Batch {
     }
   }
 
-  // One loop for runs and for scattered times: with rates the evaluation takes most of the time and of the library's
-  // code. With a `knot` it samples a run, whose segment is already broadcast and starts there, without one a segment
-  // per lane.
+  // One loop for scattered times and, unless the evaluator has kOwnLoopWithRates, for runs: with rates the evaluation
+  // takes most of the time and of the library's code. With a `knot` it samples a run, whose segment is already
+  // broadcast and starts there, without one a segment per lane.
   QTRAJ_NOINLINE void sample_with_rates(size_t begin, size_t end, WideSegment& wide, Doubles<Real>& scales,
                                         const Time* knot, Time offset) {
     const size_t at_once = knot ? kInterleaved : 1;
@@ -281,7 +281,7 @@ class Batch {
   const size_t count_;
   const SampleOutputs<Real>& outputs_;
 
-  // Of the chunk.
+  // The state of the present chunk.
   size_t first_row_ = 0;
   bool has_marks_ = false;  // some row inside the knots is marked to be done again
   bool marked_[kChunk];

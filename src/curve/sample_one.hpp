@@ -196,7 +196,7 @@ inline void keep_first(Status status, size_t i, Outcome& outcome) {
   if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
 }
 
-// The segment is found before the evaluator is chosen, which then is called directly: one indirect jump a sample.
+// The segment is found before the evaluator is chosen, which is then called directly: one indirect jump per sample.
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
 Status sample_one(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
   if (!is_finite(time)) return write_fault(Status::not_finite, outputs, 0);

@@ -17,10 +17,10 @@ double shortest_step(const Trajectory& trajectory) {
   return shortest;
 }
 
-// Sum of the integrals of (size sqrt(h))^2 or of size h over u.
+// The sum over all segments of the integral of (size sqrt(h))^2 or of size h over u.
 Outcome integrate(const Trajectory& trajectory, Quantity quantity, double& result) {
   const bool squared = quantity == Quantity::alpha;
-  // over very short segments squares pass the range of double that their integral is still in
+  // over very short segments squares may overflow although their integral does not
   const double scale = shortest_step(trajectory) < 1e-50 ? 0x1p-40 : 1.0;
   const auto integrand_of = [&](size_t segment) {
     const SegmentCurve curve = {trajectory, segment, quantity};
@@ -68,7 +68,7 @@ Outcome find_peak(const Trajectory& trajectory, Quantity quantity, Peak& peak) {
   });
 }
 
-// A rate on both sides of a knot, right minus left in a frame; false where it could overflow on the way.
+// The jump of a rate at a knot, right minus left, in a frame; false where it could overflow on the way.
 bool jump(const SegmentMotion& left, const Vector3& left_rate, const SegmentMotion& right, const Vector3& right_rate,
           Frame frame, double* out) {
   constexpr double kLimit = 1e307;
@@ -161,7 +161,7 @@ LeastNorm least_norm_of(const Trajectory& trajectory) {
       if (value >= -norm_at(segments[i], around.from) && value >= -norm_at(segments[i], around.to)) {
         double refined = best, refined_s = best_s;
         narrow_maximum(around, negated, refined, refined_s);
-        // what rounding finds beside a sample is no minimum
+        // a minimum beside a sample that is lower by rounding errors only does not count
         if (refined > best + 4.0 * DBL_EPSILON) {
           best = refined;
           best_s = refined_s;

@@ -1,4 +1,4 @@
-// What a finished curve is like: computed from its segments up to their very ends, by the formulas that sample it.
+// Diagnostics of a finished curve, computed from its segments up to their very ends, by the formulas that sample it.
 #pragma once
 
 #include "base/status.hpp"
@@ -11,9 +11,9 @@ namespace qtraj {
 Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
 
 // Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
-// bisection with 12-point Gauss rules, until halving a piece changes it by less than 1e-13 of the largest part, or by
-// no more than the rounding of the integrand: 1e-9 relative. no_convergence where
-// a segment takes more than 1e5 cuts: tens of thousands of turns, or a quaternion quintic whose norm all but vanishes.
+// bisection with 12-point Gauss rules, until halving a piece changes its integral by less than 1e-13 of the largest
+// part, or by no more than the rounding error of the integrand: 1e-9 relative. no_convergence where a segment takes
+// more than 1e5 cuts: tens of thousands of turns, or a quaternion quintic whose norm all but vanishes.
 Outcome energy(const Trajectory& trajectory, double& result);
 Outcome total_angle(const Trajectory& trajectory, double& result);
 

@@ -1,4 +1,5 @@
-// The size of a curve's rates along its segments, and segments cut into pieces over which it is smooth.
+// The size of a curve's rates along its segments, and adaptive cuts of the segments into pieces over which it is
+// smooth.
 #pragma once
 
 #include <cfloat>
@@ -46,7 +47,7 @@ struct Integrand {
   SegmentCurve curve;
   double factor;
   bool squared;
-  double rounding = 0;  // of size times factor
+  double rounding = 0;  // rounding error of size times factor
 
   bool operator()(double u, double& value) const {
     if (!curve.size(u, value)) return false;
@@ -56,7 +57,7 @@ struct Integrand {
     if (squared) value *= value;
     return true;
   }
-  // What rounding can change of the integral over a piece.
+  // How much rounding errors can change the integral over a piece.
   double noise(double width, double integral) const {
     if (!squared) return width * rounding;
     return width * rounding * (2.0 * std::sqrt(std::abs(integral) / width) + rounding);
@@ -89,8 +90,8 @@ struct Cutting {
   int cuts_left;
 };
 
-// Gives each final piece with its integral to `leaf`. no_convergence where the cuts run out: a segment of 1e5 turns, or
-// a quaternion quintic next to the zero of its norm, where the curve is rounding.
+// Passes each final piece with its integral to `leaf`. no_convergence where the cuts run out: a segment of 1e5 turns,
+// or a quaternion quintic next to the zero of its norm, where the curve is rounding noise.
 template <class Leaf>
 Status bisect(const Integrand& integrand, const Interval& piece, double integral, int depth, Cutting& cutting,
               const Leaf& leaf) {
@@ -110,7 +111,7 @@ Status bisect(const Integrand& integrand, const Interval& piece, double integral
   return status != Status::ok ? status : bisect(integrand, right, right_integral, depth + 1, cutting, leaf);
 }
 
-// The rounding of an integrand: 16 eps of the speed, for accelerations over the length of the segment.
+// Sets the rounding error of an integrand: 16 eps of the speed, for accelerations over the length of the segment.
 inline bool set_rounding(Integrand& integrand) {
   SegmentCurve speeds = integrand.curve;
   speeds.quantity = Quantity::omega;

@@ -1,3 +1,4 @@
+// Golden-section search for a maximum.
 #pragma once
 
 namespace qtraj {
@@ -8,7 +9,8 @@ struct Interval {
   double middle() const { return from + 0.5 * (to - from); }
 };
 
-// Golden sections to 1e-9 of the interval; `value(x, y)` is false where the curve overflows.
+// Raises `best` to the maximum of a unimodal function, to 1e-9 of the interval. value(x, y) sets y, or is false where
+// the curve overflows; the result then is false too.
 template <class Value>
 bool narrow_maximum(Interval interval, const Value& value, double& best, double& best_at) {
   constexpr double kGolden = 0.6180339887498949;

@@ -13,7 +13,7 @@ void record(Outcome& first, Status status, size_t index) {
   if (status != Status::ok && first.status == Status::ok) first = {status, index};
 }
 
-// Judges samples one after another.
+// Checks samples one after another.
 class SampleCheck {
  public:
   explicit SampleCheck(const Samples& samples) : samples_(samples) {}
@@ -26,7 +26,7 @@ class SampleCheck {
     return time_status == Status::not_finite || key_status == Status::ok ? time_status : key_status;
   }
 
-  // whether no time so far is at fault
+  // Whether no time so far is at fault.
   bool times_increase() const { return times_increase_; }
 
  private:
@@ -42,7 +42,7 @@ class SampleCheck {
   const Samples& samples_;
   size_t index_ = 0;
   bool times_increase_ = true, has_time_ = false;
-  double first_time_ = 0, last_time_ = 0;  // finite ones
+  double first_time_ = 0, last_time_ = 0;  // of the finite ones
 };
 
 struct SamplesVerdict {
@@ -60,13 +60,13 @@ UnitQuaternion conjugate(const UnitQuaternion& q) { return {qtraj::conjugate(q.v
 
 double step(const Samples& samples, size_t k) { return samples.time(k + 1) - samples.time(k); }
 
-// Mean rate from sample k to sample k + 1, both good: ok or ambiguous.
+// The mean rate from sample k to sample k + 1, neither of them at fault. ok or ambiguous.
 Status interval_rate(const Samples& samples, size_t k, Frame frame, Vector3& rate) {
   const Quaternion from = row_of(samples.q_wb, k);
   Quaternion to = row_of(samples.q_wb, k + 1);
   if (is_opposed(from, to)) to = -to;
   const UnitQuaternion a = normalize(from).unit, b = normalize(to).unit;
-  // b a* is the a* b of the conjugates exchanged
+  // b a* is a* b with the conjugates of b and a in the places of a and b
   const Vector3 half_angles = frame == Frame::world ? relative_log(conjugate(b), conjugate(a)) : relative_log(a, b);
   rate = 2.0 * half_angles / step(samples, k);
   return std::abs(dot(a.value, b.value)) <= kHalfTurnCosine ? Status::ambiguous : Status::ok;
@@ -127,7 +127,7 @@ Outcome estimate_omega(const Samples& samples, Frame frame, const Output<1>& t_m
       Vector3 rate;
       status = interval_rate(samples, k - 1, frame, rate);
       write_row(omega, k - 1, rate);
-      // halves: the sum of two times may overflow
+      // halved first: the sum of two times may overflow
       if (t_mid.data) write_row(t_mid, k - 1, Row<1>(0.5 * samples.time(k - 1) + 0.5 * samples.time(k)));
     } else if (k > 0) {
       write_nan(omega, k - 1);
@@ -154,7 +154,7 @@ Outcome estimate_energy(const Samples& samples, Frame frame, double& energy) {
     record(first_ambiguous, interval_rate(samples, k - 1, frame, rate), k);
     if (k > 1) {
       const double between = 0.5 * step(samples, k - 2) + 0.5 * step(samples, k - 1);
-      // the root first: squares of rates may overflow
+      // the root is taken first: squares of rates may overflow
       const Vector3 root = (rate - rate_before) / std::sqrt(between);
       if (largest_component(root) > kLargestRoot) return {Status::not_finite, k};
       const DoubleDouble total = two_sum(sum.value, dot(root, root));

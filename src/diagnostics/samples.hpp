@@ -1,10 +1,10 @@
-// Rates, energy, jumps and errors told from samples of any origin: any norm but 0, any sign.
+// Diagnostics of samples of any origin, of any norm but 0 and any sign: rates, energy, jumps and errors.
 //
 // Faults, for all four functions. A sample is faulty where its time or orientation is not finite (not_finite), its
-// orientation is 0 (zero_norm), or its time does not come after the last finite time before it, or so shortly that
+// orientation is 0 (zero_norm), its time does not come after the last finite time before it, or so soon after it that
 // 1/h^2 overflows (time_order), or the span from there or from the first finite time overflows (time_range). Every
 // faulty sample is reported, also one that no row uses.
-//   - Rows that use a faulty sample are NaN. To look a time up uses all times: where one is at fault, all rows of
+//   - Rows that use a faulty sample are NaN. A lookup of a time uses all times: where one is at fault, all rows of
 //     estimate_jumps and keyframe_errors are NaN. estimate_energy is one row that uses all samples.
 //   - The outcome is that of the lowest index at fault; indices count the arguments' elements in their order.
 //   - Neighbours with <q_k, q_{k+1}> < 0 are taken with one sign changed; a tie keeps the given signs. Neighbours half
@@ -17,7 +17,7 @@
 
 namespace qtraj {
 
-// As the caller passed them.
+// Samples as the caller passed them.
 struct Samples {
   Input<1> times;  // s, of double
   Input<4> q_wb;
@@ -40,8 +40,7 @@ Outcome estimate_energy(const Samples& samples, Frame frame, double& energy);
 
 // Row k: the rate of the first interval between samples that begins at or after knots[k] minus that of the last one
 // that ends at or before it, rad/s; rates as in estimate_omega. Knots may be in any order. time_range where one of the
-// two intervals does not exist. The error is that of both rates. Indices count samples, then knots. count
-// >= 2.
+// two intervals does not exist. The error is that of both rates. Indices count samples, then knots. count >= 2.
 Outcome estimate_jumps(const Samples& samples, const double* knots, size_t knot_count, Frame frame,
                        const Output<3>& jumps);
 

@@ -7,7 +7,7 @@
 namespace qtraj {
 namespace {
 
-// Length of (a + error), for unit a and b the chord between them, to 1e-30.
+// The length, to 1e-30, of the difference or the sum of two unit quaternions, given in double-double.
 DoubleDouble length_of(const UnitQuaternion& a) {
   const double scale = scale_for(largest_component(a.value));
   const Quaternion scaled = scale * a.value;
@@ -17,7 +17,7 @@ DoubleDouble length_of(const UnitQuaternion& a) {
   return {length.value / scale, error / scale};
 }
 
-// a + b, keeping what the rounding left.
+// a + b in double-double.
 UnitQuaternion precise_sum(const UnitQuaternion& a, const UnitQuaternion& b) {
   UnitQuaternion result;
   for (int k = 0; k < 4; ++k) {
@@ -120,7 +120,7 @@ Outcome distance(const BinaryRows<4, 4, 1>& rows, size_t count) {
 
 double rotation_angle(const Quaternion& a, const Quaternion& b) {
   const Chords chord = chords(a, b);
-  // near a half turn the first doubles may tie
+  // near half a turn the values may tie
   const bool near = (chord.difference.value - chord.sum.value) + (chord.difference.error - chord.sum.error) <= 0;
   return 4.0 * (near ? precise_atan2(chord.difference, chord.sum) : precise_atan2(chord.sum, chord.difference)).value;
 }

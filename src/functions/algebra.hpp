@@ -1,8 +1,8 @@
 // Products, norms and angles of quaternions, row by row.
 //
-// eps is DBL_EPSILON, bounds are of absolute errors, of each component; where a result is subnormal its rounding comes
-// on top. Faults of a row: not_finite where the input is not or the result overflows, zero_norm where a quaternion is 0
-// that must not be.
+// eps is DBL_EPSILON; bounds are of the absolute error of each component, to which a subnormal result adds its rounding
+// error. Faults of a row: not_finite where the input is not finite or the result overflows, zero_norm where a
+// quaternion is 0 that must not be.
 #pragma once
 
 #include "functions/for_each_row.hpp"

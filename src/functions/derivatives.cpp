@@ -5,12 +5,12 @@
 namespace qtraj {
 namespace {
 
-// With q_wb on its left, rates are in the body frame, on its right in the world frame.
+// A rate in the body frame is multiplied by q_wb from the left, one in the world frame from the right.
 Quaternion multiply_in(Frame frame, const Quaternion& q_wb, const Quaternion& rate) {
   return frame == Frame::body ? multiply(q_wb, rate) : multiply(rate, q_wb);
 }
 
-// A quaternion to divide by: norm * 2^(600 steps) times unit.
+// A quaternion to divide by, norm * 2^(600 steps) times unit.
 struct Divisor {
   Quaternion unit;
   double norm;

@@ -12,23 +12,23 @@ Quaternion exp_of(const Vector3& v) {
   const Scaled<Vector3> scaled = scale(v);
   const DoubleDouble length = precise_length(quaternion(0, scaled.value));
   if (length.value == 0) return quaternion(1.0, v);
-  constexpr double kFar = 0x1p400;  // where sin_cos means no direction any more
+  constexpr double kFar = 0x1p400;  // an angle so large that sin_cos means no direction
   const DoubleDouble angle =
       scaled.steps > 0 ? DoubleDouble{kFar, 0}
                        : DoubleDouble{unscale(length.value, scaled.steps), unscale(length.error, scaled.steps)};
   const SinCos at = sin_cos(angle);
-  // the quotient is 1 for tiny angles, and v kept as it is
+  // for tiny angles the quotient is 1 and v stays as it is
   return quaternion(at.cos, (at.sin / (length.value + length.error)) * scaled.value);
 }
 
-// q as |q| (cos, sin * axis); the axis is unit.
+// q as a multiple of (cosine, sine * axis); the axis is unit.
 struct Polar {
   double cosine;
   DoubleDouble sine;  // >= 0
   UnitQuaternion axis;
 };
 
-// False where the vector part is 0 and there is no axis.
+// False where there is no axis, the vector part being 0.
 bool polar_form(const Quaternion& q, Polar& polar) {
   const Quaternion scaled = scale(q).value;
   const Quaternion vector = quaternion(0, vector_part(scaled));
@@ -43,8 +43,8 @@ Vector3 product(const DoubleDouble& angle, const UnitQuaternion& axis) {
   Vector3 result;
   for (int k = 0; k < 3; ++k) {
     const DoubleDouble leading = two_product(angle.value, axis.value[k + 1]);
-    const double rest = angle.value * axis.error[k + 1] + angle.error * axis.value[k + 1];
-    result[k] = leading.value + (leading.error + rest);
+    const double low_terms = angle.value * axis.error[k + 1] + angle.error * axis.value[k + 1];
+    result[k] = leading.value + (leading.error + low_terms);
   }
   return result;
 }
@@ -63,9 +63,9 @@ HalfAngle half_angle(const Quaternion& q) {
   return {Status::ambiguous, precise_atan2({0, 0}, {-1, 0}), x_axis};
 }
 
-// factor * angle. Beyond 2^400 nothing but its size is meant.
+// factor * angle. Products so large that sin_cos means no direction are not exact.
 DoubleDouble multiple(double factor, const DoubleDouble& angle) {
-  // two_product splits numbers below 2^500: a huge factor is for tiny angles
+  // two_product takes numbers below 2^500, and a huge factor has a meaningful product with tiny angles only
   const bool huge = std::abs(factor) > 0x1p400;
   if (huge && angle.value > 0x1p-300) return {factor > 0 ? 0x1p400 : -0x1p400, 0};
   const double power = huge ? 0x1p600 : 1.0;

@@ -1,4 +1,5 @@
-// Rows of a caller's arrays, read and written one by one as double, and the loop that every function over rows is.
+// The loop that every function over rows is, and rows of a caller's arrays read and written one by one as double.
+// Kernels do ordinary rows; here the core does the rows that they leave (rows/row_loop.hpp decides which).
 #pragma once
 
 #include <cfloat>
@@ -18,7 +19,7 @@ size_t first_element(const Input<Width>& array, size_t row) {
   return array.rows == 1 ? 0 : row * Width;
 }
 
-// Told by the bits in memory: converting a signalling NaN would raise FE_INVALID.
+// Tests the bits in memory: converting a signalling NaN would raise FE_INVALID.
 template <size_t Width>
 bool is_finite(const Input<Width>& array, size_t row) {
   const size_t first = first_element(array, row);
@@ -43,7 +44,7 @@ Row<Width> row_of(const Input<Width>& array, size_t row) {
 
 inline double number_of(const Input<1>& array, size_t row) { return row_of(array, row)[0]; }
 
-// Of a finite row.
+// Whether all numbers of a finite row are 0.
 template <size_t Width>
 bool is_zero(const Input<Width>& array, size_t row) {
   return largest_component(row_of(array, row)) == 0;
@@ -55,7 +56,7 @@ inline Status check_key(const Input<4>& q, size_t row) {
   return is_zero(q, row) ? Status::zero_norm : Status::ok;
 }
 
-// Rounding of the caller's type: what lies within it of a singular point is noise.
+// eps of the caller's type: inputs within it of a singular point are noise.
 template <size_t Width>
 double epsilon_of(const Input<Width>& array) {
   return array.is_float ? static_cast<double>(FLT_EPSILON) : DBL_EPSILON;
@@ -89,7 +90,7 @@ Row<Width> zero_row(const Output<Width>&) {
   return Row<Width>::Zero();
 }
 
-// Two outputs with one row each for every input; the second may have no data. One at fault makes both NaN.
+// Two outputs with a row each for every row of the input; the second may have no data. A row at fault is NaN in both.
 template <size_t Width>
 struct OutputPair {
   Output<Width> first, second;
@@ -119,10 +120,10 @@ RowPair<Width> zero_row(const OutputPair<Width>&) {
 
 // ---- The loop ----
 
-// Calls `compute(row, values)` for each row and writes what it leaves in `values`, or NaN where its status is neither
-// ok nor ambiguous, or the values do not fit the caller's type. The outcome is that of the first row at fault. Row i of
-// an input may be overwritten by row i of the output: `compute` reads before it writes.
-// `kernel(row)` does rows from that one on by itself, all of them ok, and returns how many.
+// Calls compute(row, values) for each row and writes the values, or NaN where its status is neither ok nor ambiguous,
+// or the values do not fit the caller's type. The outcome is that of the first row at fault. Row i of the output may be
+// the memory of row i of an input: `compute` reads before the row is written. kernel(row) is asked first, and again
+// after each row that `compute` did: it does rows from that one on by itself, all of them ok, and returns how many.
 template <class OutputArray, class Kernel, class Compute>
 Outcome for_each_row(size_t count, const OutputArray& out, const Kernel& kernel, const Compute& compute) {
   Outcome outcome;

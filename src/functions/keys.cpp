@@ -8,7 +8,7 @@
 namespace qtraj {
 namespace {
 
-// Sum of numbers without rounding, as numbers that do not overlap, the smallest first.
+// An exact sum, kept as an expansion: doubles that do not overlap, the smallest first.
 // Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
 // Discrete Comput. Geom. 18 (1997), theorem 10 (grow-expansion).
 template <int Capacity>
@@ -34,7 +34,7 @@ class ExactSum {
   int count_ = 0;
 };
 
-// Rows of four numbers with their first ones moved to the end.
+// Rotates each row: moves its first MovedBytes bytes to the end.
 template <size_t MovedBytes, size_t RowBytes>
 void rotate_rows(const void* from, size_t count, void* to) {
   const auto* source = static_cast<const unsigned char*>(from);
@@ -55,7 +55,7 @@ constexpr RowKernel<ContinuousRows> kContinuousKernels[] = QTRAJ_OF_EACH_TARGET(
 bool is_opposed(const Quaternion& a, const Quaternion& b) {
   const Quaternion p = normalizing_scale(largest_component(a)) * a;
   const Quaternion r = normalizing_scale(largest_component(b)) * b;
-  // components are below 4, so that the rounding of the sum is below 4e-14
+  // components are below 4, so that the rounding error of the sum is below 4e-14
   const double rounded = dot(p, r);
   if (std::abs(rounded) > 1e-13) return rounded < 0;
   ExactSum<8> sum;

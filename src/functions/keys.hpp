@@ -1,4 +1,4 @@
-// Arrays of keys made ready: normalised, sign-continuous, in the component order w x y z.
+// Preparation of arrays of keys: normalisation, continuity of signs, component order.
 #pragma once
 
 #include "functions/for_each_row.hpp"
@@ -10,16 +10,18 @@ namespace qtraj {
 // components is below 1e-270 |a| |b|; such products may be lost.
 bool is_opposed(const Quaternion& a, const Quaternion& b);
 
-// q / |q|, signs kept, those of zeros too. Each component is within 0.51 ulp of the output's type, plus 1e-200, so that
-// the norm is within 1.1 eps of 1.
+// q / |q|; signs are kept, also those of zeros. Each component is within 0.51 ulp of the output's type, plus 1e-200, so
+// that the norm is within 1.1 eps of 1.
 Outcome normalize_keys(const NormalizeRows& rows, size_t count);
 
-// Series of `length` keys, one after another: negates keys such that neighbours have <q_{i-1}, q_i> >= 0. The first key
-// of a series keeps its sign, and so does a key in a tie; nothing but signs is changed. A faulty key becomes NaN, and
-// the one after it is judged by the last good one. *rows.flips: how many keys were negated.
+// Negates keys such that neighbours have <q_{i-1}, q_i> >= 0, in each of several series of `length` keys that follow
+// each other. The first key of a series keeps its sign, and so does a key in a tie; nothing but signs is changed. A
+// faulty key becomes NaN, and the one after it is compared with the last good one. *rows.flips: how many keys were
+// negated.
 Outcome make_continuous(const ContinuousRows& rows, size_t series, size_t length);
 
-// Component order. Numbers of element_bytes, 4 or 8, are moved as they are, whatever their bits; q_out may be q.
+// Change of component order. Numbers of element_bytes, 4 or 8, are moved as they are, whatever their bits; the output
+// may be the input.
 void wxyz_from_xyzw(const void* q_xyzw, size_t element_bytes, size_t count, void* q_out);
 void xyzw_from_wxyz(const void* q, size_t element_bytes, size_t count, void* q_xyzw_out);
 

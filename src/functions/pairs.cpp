@@ -10,7 +10,7 @@ namespace qtraj {
 
 namespace {
 
-// Im(a* b), each product exact: good to a few eps of its length, which plain products are not at small angles.
+// Im(a* b) with exact products: good to a few eps of its length, which plain products are not at small angles.
 Vector3 relative_vector_part(const Quaternion& a, const Quaternion& b) {
   const auto minor = [&](int i, int j) { return difference_of_products(a[i], b[j], a[j], b[i]); };
   return {minor(0, 1) - minor(2, 3), minor(0, 2) - minor(3, 1), minor(0, 3) - minor(1, 2)};
@@ -54,7 +54,7 @@ Slerp::Slerp(const Pair& pair)
 }
 
 Status Slerp::at(double fraction, Quaternion& q) const {
-  // a quarter of the angle from the nearer end: no fraction makes it overflow
+  // a quarter of the angle from the nearer end, which no fraction makes overflow
   constexpr double kFar = 0x1p60;
   const bool from_a = fraction <= 0.5;
   const double quarter = 0.25 * (from_a ? fraction : fraction - 1.0) * angle_;
@@ -65,7 +65,8 @@ Status Slerp::at(double fraction, Quaternion& q) const {
 }
 
 Nlerp::Nlerp(const Pair& pair) : a_(end_of_pair(pair.a, pair.axis)), b_(end_of_pair(pair.b, pair.axis)) {
-  // the half of the angle has the tangent sine / (norm + cosine) = (norm - cosine) / sine: that which does not cancel
+  // half the angle has the tangent sine / (norm + cosine) = (norm - cosine) / sine; the form is taken that does not
+  // cancel
   const double norm = std::sqrt(pair.sine * pair.sine + pair.cosine * pair.cosine);
   const double adjacent = pair.cosine < 0 ? pair.sine : norm + pair.cosine;
   const double opposite = pair.cosine < 0 ? norm - pair.cosine : pair.sine;
@@ -77,8 +78,8 @@ Nlerp::Nlerp(const Pair& pair) : a_(end_of_pair(pair.a, pair.axis)), b_(end_of_p
 Status Nlerp::at(double fraction, Quaternion& q) const {
   const bool from_a = fraction <= 0.5;
   const double part = from_a ? fraction : 1.0 - fraction;
-  // p = m + (2 part - 1) d with m = (a + b)/2 and d = (b - a)/2, which are orthogonal, seen from the nearer end. A
-  // multiple of it has the same direction and does not overflow.
+  // p = m + (2 part - 1) d with m = (a + b)/2 and d = (b - a)/2, which are orthogonal, in terms of the nearer end. It
+  // is scaled such that it does not overflow; only its direction matters.
   const double scale = std::abs(part) > 0x1p400 ? 0x1p-600 : 1.0;
   const double scaled_part = scale * part;
   const double across = 2.0 * scaled_part * sine_ * cosine_;
@@ -97,7 +98,7 @@ namespace {
 constexpr RowKernel<PairRows> kSlerpKernels[] = QTRAJ_OF_EACH_TARGET(slerp);
 constexpr RowKernel<PairRows> kNlerpKernels[] = QTRAJ_OF_EACH_TARGET(nlerp);
 
-// Rows by the kernel, and those that it leaves on the Curve through their pair.
+// The kernel does rows, and those that it leaves are sampled on the Curve through their pair.
 template <class Curve>
 Outcome sample_pairs(RowKernel<PairRows> kernel, const PairRows& pairs, size_t count) {
   const bool is_one_pair = pairs.a.rows == 1 && pairs.b.rows == 1;
@@ -119,9 +120,9 @@ Outcome sample_pairs(RowKernel<PairRows> kernel, const PairRows& pairs, size_t c
       count, pairs.q, [&](size_t row) { return kernel(pairs, row, count); }, compute);
 }
 
-// Any finite times, time_b after time_a.
+// The fraction of any finite time, time_b after time_a.
 double fraction_at(double time, double time_a, double time_b) {
-  // halves: their differences cannot overflow
+  // halved first, so that the differences cannot overflow
   constexpr double kFarthest = 0x1p1022;
   const double elapsed = 0.5 * time - 0.5 * time_a, step = 0.5 * time_b - 0.5 * time_a;
   if (std::abs(elapsed) * (1.0 / kFarthest) > step) return elapsed > 0 ? kFarthest : -kFarthest;
@@ -132,7 +133,7 @@ double fraction_at(const TimedPair& given, size_t row) {
   return fraction_at(number_of(given.times, row), given.time_a, given.time_b);
 }
 
-// Slerp between the ends of a timed pair in vectors.
+// The kernel of slerp_between: slerps at times between the ends of a timed pair, in chunks.
 class BetweenEnds {
  public:
   BetweenEnds(const TimedPair& given, bool is_valid) : given_(given) {
@@ -141,7 +142,7 @@ class BetweenEnds {
     can_slerp_ = is_valid && slerp(1, q) == 1;
   }
 
-  // Rows from `first` on: how many.
+  // Does rows from `first` on and returns how many.
   size_t operator()(size_t first, size_t count, double* q_out) {
     for (size_t row = first; can_slerp_;) {
       const size_t rows = read_fractions(row, count), done = slerp(rows, q_out + 4 * row);

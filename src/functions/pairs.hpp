@@ -1,10 +1,10 @@
 // Two quaternions of any norm but 0, and slerp and nlerp between them at any real fraction: 0 at a, 1 at b.
 //
-// Between the ends of pairs up to a quarter turn of S^3 apart, results are those of the kernels (rows/pairs.hpp).
-// What follows is for the rest. Inputs are taken as exact: the turn from a to b is known to a few eps of itself at
-// every angle, so that even the shortest arc can be followed for many turns. Results are made from the nearer end, a up
-// to fraction 1/2 and b from there: at fractions 0 and 1 they are a / |a| and b / |b| as rounded, whatever the other
-// end is.
+// Kernels (rows/pairs.hpp) do ordinary rows: fractions between 0 and 1 of pairs less than a quarter turn of S^3 apart.
+// The classes below do all others. They take inputs as exact: the turn from a to b is known to a few eps relative at
+// every angle, so that even the shortest arc can be followed for many turns. Results are computed from the nearer end,
+// from a up to fraction 1/2 and from b beyond: at fractions 0 and 1 they are a / |a| and b / |b| as rounded, whatever
+// the other end is.
 #pragma once
 
 #include "base/settings.hpp"
@@ -14,8 +14,8 @@
 
 namespace qtraj {
 
-// b = a exp(angle axis), both unit. Under SHORTEST b stands for b or -b, whichever is nearer to a; half a turn apart,
-// the cosine 0 to 4 eps, for b as given. a keeps its sign.
+// b = a exp(angle axis), both unit. Under SHORTEST b is the nearer to a of b and -b as given; half a turn apart, where
+// the cosine is 0 to 4 eps, it keeps its sign. a always keeps its sign.
 struct Pair {
   Quaternion a, b;
   Vector3 axis;         // unit, body frame; 0 where sine is
@@ -25,10 +25,10 @@ struct Pair {
 // Finite a and b, not 0.
 Pair make_pair(const Quaternion& a, const Quaternion& b, Path path);
 
-// The same from rows: not_finite or zero_norm where they are not.
+// The same from rows: not_finite where one is not finite, zero_norm where one is 0.
 Status read_pair(const Input<4>& a, const Input<4>& b, size_t row, Path path, Pair& pair);
 
-// An end of a pair and the unit direction in which the pair goes on there: q exp(x axis) = q cos x + along sin x.
+// An end q of a pair and the unit tangent of its great circle there: q exp(x axis) = q cos x + along sin x.
 struct PairEnd {
   Quaternion q = Quaternion::Zero(), along = Quaternion::Zero();
 };
@@ -39,7 +39,8 @@ struct PairEnd {
 // With theta = fraction angle, rad on S^3 (the body turns by twice that), the error of a component is below
 // 6e-16 + 7e-16 |theta| for |theta| <= 1e6, and below 6e-16 for fractions in [0, 1]. Beyond 1e6 rad results are finite
 // and unit.
-// b = -a within 1e-14 rad (AS_GIVEN): ambiguous, and the body turns about its own x axis, axis = (1, 0, 0), angle = pi.
+// Singular: b = -a within 1e-14 rad (AS_GIVEN) is ambiguous, and the body turns about its own x axis, axis = (1, 0, 0),
+// angle = pi.
 class Slerp {
  public:
   Slerp() = default;
@@ -59,8 +60,8 @@ class Slerp {
 };
 
 // p / |p|, p = (1 - fraction) a + fraction b. The error of a component is below 7e-16 however close to 0 the chord
-// passes. (Where inputs were themselves rounded, to eps, that makes an error of eps / |p|.)
-// zero_norm where |p| < 1e-14: close to fraction 1/2 of opposite a and b.
+// passes. (If inputs were themselves rounded to eps, that adds an error of eps / |p|.)
+// Singular: zero_norm where |p| < 1e-14, close to fraction 1/2 of opposite a and b.
 class Nlerp {
  public:
   Nlerp() = default;
@@ -77,10 +78,10 @@ class Nlerp {
 Outcome slerp(const PairRows& pairs, size_t count);
 Outcome nlerp(const PairRows& pairs, size_t count);
 
-// Slerp of one pair whose ends have times, at other times, before and after them too: the fraction is
-// (time - time_a) / (time_b - time_a), beyond +-2^1022 counted as that. Statuses of the two times are those of knots:
-// time_order where time_b does not come after time_a or so shortly that 1/h^2 overflows, time_range where their
-// distance does. Error below 6e-16 + 1e-15 |theta|, theta as for slerp. All arrays of double.
+// Slerp of one pair whose ends have times, at any times, also before and after them: the fraction is
+// (time - time_a) / (time_b - time_a), clamped to +-2^1022. Statuses of the two times are those of knots: time_order
+// where time_b does not come after time_a, or so soon after it that 1/h^2 overflows; time_range where their distance
+// overflows. Error below 6e-16 + 1e-15 |theta|, theta as for slerp. All arrays of double.
 struct TimedPair {
   Input<4> a, b;
   double time_a, time_b;

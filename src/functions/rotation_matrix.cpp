@@ -23,7 +23,7 @@ Matrix3 from_elements(const Elements& elements) {
   return matrix;
 }
 
-// M^T M - I, what M is off.
+// M^T M - I, the distance of M from orthogonality.
 Matrix3 defect(const Matrix3& m) {
   Matrix3 result;
   for (int row = 0; row < 3; ++row)
@@ -40,7 +40,8 @@ double sum_of_squares(const Matrix3& m) {
 
 // The rotation nearest to m; false where m is too far from it.
 bool nearest_rotation(const Matrix3& m, Matrix3& nearest) {
-  // nothing far off is squared, and what is left converges in three steps: |defect| is about twice the distance
+  // matrices far off are rejected before anything is squared, the others converge in three steps; |defect| is about
+  // twice the distance
   constexpr double kNear = 0.01, kTolerance = 1e-3;
   for (int column = 0; column < 3; ++column)
     if (largest_component(Vector3(m.col(column))) > 2.0) return false;
@@ -55,7 +56,7 @@ bool nearest_rotation(const Matrix3& m, Matrix3& nearest) {
   return sum_of_squares(m - nearest) <= kTolerance * kTolerance;
 }
 
-// The quaternion of a rotation, either sign, from its component `largest`, times that component's multiple.
+// A multiple of the quaternion of a rotation, of either sign, by its largest component, whose index is `largest`.
 Quaternion from_largest(const Matrix3& m, int largest) {
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
   if (largest == 0) return {1.0 + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
@@ -69,7 +70,7 @@ Quaternion from_largest(const Matrix3& m, int largest) {
 }
 
 Quaternion quaternion_of(const Matrix3& rotation) {
-  // squares of the components, but for one factor and one constant
+  // the squares of the components, but for a common factor and a common constant
   const double squares[] = {rotation(0, 0) + rotation(1, 1) + rotation(2, 2), rotation(0, 0), rotation(1, 1),
                             rotation(2, 2)};
   int largest = 0;

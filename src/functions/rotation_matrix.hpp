@@ -1,7 +1,7 @@
 // Rotation matrices, row-major, v_world = M v_body, from quaternions and back.
 //
-// eps is DBL_EPSILON, bounds are of absolute errors, of each component. Faults of a row: not_finite where the input is
-// not, zero_norm where a quaternion is 0.
+// eps is DBL_EPSILON; bounds are of the absolute error of each component. Faults of a row: not_finite where the input
+// is not finite, zero_norm where a quaternion is 0.
 #pragma once
 
 #include "functions/for_each_row.hpp"
@@ -12,9 +12,9 @@ namespace qtraj {
 // J. Astronautical Sciences 41 (1993); his maps world to body and is the transpose). Within 3 eps.
 Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count);
 
-// The unit quaternion, w >= 0, of the rotation R nearest to M, the one of the least |M - R|, root of the sum of squared
-// elements: within 1 eps. Of two at w = 0 the one whose largest vector component is positive. not_rotation where
-// |M - R| > 1e-3, or the determinant is negative.
+// The unit quaternion, w >= 0, of the rotation R nearest to M in the Frobenius norm |M - R|: within 1 eps. At w = 0, of
+// the two the one whose largest vector component is positive. not_rotation where |M - R| > 1e-3, or the determinant is
+// negative.
 //
 // R is the limit of M <- M (3 I - M^T M) / 2, which converges quadratically (N. Higham, "Functions of Matrices" (2008),
 // chapter 8, the Newton-Schulz iteration); q follows from it by the largest component (M. Shepperd, "Quaternion from

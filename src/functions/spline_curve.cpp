@@ -56,7 +56,7 @@ class SplineCurve {
   }
 
  private:
-  // To a largest value of 1 to 4, so that no slope overflows.
+  // Copies a component, scaled to a largest value of 1 to 4 so that no slope overflows.
   void copy_scaled(const SplineData& data, size_t component) {
     double largest = 0;
     for (size_t i = 0; i < count_; ++i) largest = std::max(largest, std::abs(data.y[i * dim_ + component]));
@@ -65,7 +65,7 @@ class SplineCurve {
     scales_[component] = scale;
   }
 
-  // Makes the last value the first; false where they are far apart.
+  // Replaces the last value by the first; false where they are far apart.
   bool close() {
     constexpr double kTolerance = 1e-6;
     for (size_t c = 0; c < dim_; ++c) {
@@ -78,7 +78,7 @@ class SplineCurve {
     return true;
   }
 
-  // The cubic by its values and rises at both ends of the interval; false where it is too large.
+  // Evaluates the cubic from its values and slopes at both ends of the interval; false where it is too large.
   bool evaluate(double query, size_t interval, size_t component, double& value) const {
     const size_t left = interval * dim_ + component, right = left + dim_;
     const double h = x_[interval + 1] - x_[interval];
@@ -86,8 +86,8 @@ class SplineCurve {
     if (std::max(std::abs(slopes_[left]), std::abs(slopes_[right])) > limit) return false;
     const double chord = y_[right] - y_[left];
     const double left_excess = h * slopes_[left] - chord, right_excess = chord - h * slopes_[right];
-    const double u = (query - x_[interval]) / h, rest = (x_[interval + 1] - query) / h;
-    const double scaled = (rest * y_[left] + u * y_[right]) + u * rest * (rest * left_excess + u * right_excess);
+    const double u = (query - x_[interval]) / h, v = (x_[interval + 1] - query) / h;  // v = 1 - u
+    const double scaled = (v * y_[left] + u * y_[right]) + u * v * (v * left_excess + u * right_excess);
     const double scale = scales_[component];
     if (scale < 1 && std::abs(scaled) > DBL_MAX * scale) return false;
     value = scaled / scale;

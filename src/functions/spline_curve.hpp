@@ -1,4 +1,5 @@
-// The cubic spline of cubic_spline.hpp as a function: a caller's data, checked, of any finite size, at any queries.
+// The cubic spline of math/cubic_spline.hpp as a function: of a caller's data, checked and of any finite size, at any
+// queries.
 #pragma once
 
 #include "math/cubic_spline.hpp"
@@ -12,7 +13,7 @@ bool are_spline_ends(End start, End end);
 size_t spline_curve_workspace(size_t count, size_t dim);
 
 // y_out [query_count][dim] of the C2 cubic through data.y [count][dim] at data.x, data as the caller passed them,
-// count >= 2. Components do not touch each other.
+// count >= 2. Components do not influence each other.
 //
 // With Y the largest |y| of a component and r the longest interval over the shortest, values are within 4 eps Y (1 +
 // r), with a not_a_knot end 4 eps Y (1 + r)^2: how far the curve can swing on uneven knots. At a knot the value is y,

@@ -44,7 +44,7 @@ struct SquadKey {
   Status status;
 };
 
-// The segment between two keys; unknown where one of them is at fault.
+// The segment between two keys, which is unknown where one of them is at fault.
 struct SquadSide {
   SquadChord chord = {Vector3::Zero(), 0.0};
   bool is_known = false, is_ambiguous = false;
@@ -71,7 +71,7 @@ class SquadKeyReader {
   bool has_finite_time(size_t key) const { return !rows_.times.data || is_finite(rows_.times, key); }
   double time(size_t key) const { return rows_.times.data ? number_of(rows_.times, key) : static_cast<double>(key); }
 
-  // A time is judged by the one before it and the first one, unless those are themselves at fault.
+  // Checks a time against the one before it and the first one, unless those are themselves at fault.
   Status check_time(size_t key) const {
     if (key == 0 || !has_finite_time(key - 1)) return Status::ok;
     const double previous = time(key - 1), first = has_finite_time(0) ? time(0) : previous;
@@ -136,7 +136,7 @@ struct SquadCurve {
     keys.at(u, p);
     controls.at(u, c);
     const Slerp between(make_pair(p, c, Path::as_given));
-    // far beyond where the rounding of p and c leaves the third arc any meaning: no overflow
+    // clamped against overflow, far beyond where the rounding errors of p and c leave the third arc any meaning
     constexpr double kFar = 0x1p500;
     const double near_u = std::min(std::max(u, -kFar), kFar);
     between.at(2.0 * near_u * (1.0 - near_u), q);

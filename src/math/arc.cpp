@@ -8,8 +8,8 @@ namespace {
 
 // The component of m orthogonal to e (Gram-Schmidt), normalised.
 Quaternion orthogonalized(const Quaternion& m, const Quaternion& e) {
-  const Quaternion rest = m - dot(m, e) * e;
-  return rest / length(rest);
+  const Quaternion rejection = m - dot(m, e) * e;
+  return rejection / length(rejection);
 }
 
 }  // namespace

@@ -116,9 +116,9 @@ class SlopeSystem {
     const double far = end < inner ? share.left : share.right, near = end < inner ? share.right : share.left;
     const double limit = 0x1p500 / data_.step(end_interval) * near;
     for (size_t c = 0; c < data_.dim; ++c) {
-      const double rest = far * far * delta(inner_interval, c) - slope(inner, c);
-      if (!(std::abs(rest) < limit)) return false;
-      slope(end, c) = (2 + far) * delta(end_interval, c) + rest / near;
+      const double numerator = far * far * delta(inner_interval, c) - slope(inner, c);
+      if (!(std::abs(numerator) < limit)) return false;
+      slope(end, c) = (2 + far) * delta(end_interval, c) + numerator / near;
     }
     return true;
   }

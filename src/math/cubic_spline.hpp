@@ -24,8 +24,8 @@ constexpr size_t kSplineScratchPerKnot = 2;
 
 // First derivatives, slopes [count][dim], of the C2 cubic through the data (C. de Boor, "A Practical Guide to Splines",
 // chapter IV, in first derivatives), in O(count). periodic applies to both ends; the first and the last y are then
-// equal. Two points give a line, three points with both ends not_a_knot a parabola. scratch: [count *
-// kSplineScratchPerKnot].
+// equal. Two points give a line, three points with both ends not_a_knot a parabola.
+// scratch: [count * kSplineScratchPerKnot].
 //
 // Rows are divided by the interval that they span, so that their weights lie in [0, 3] and no product of intervals is
 // formed. Stable without pivoting: rows are diagonally dominant. not_finite, with the index of the knot, where a

@@ -197,8 +197,8 @@ QTRAJ_INLINE void exponential_rates_any(const HalfAngleJet<Number>& jet, bool wa
 // C, K, D and E of the half angle sqrt(y), y <= kPolynomialLimit, by Horner's scheme as in the core.
 template <class Number>
 QTRAJ_INLINE RateFactors<Number> polynomial_factors(Number y) {
-  return {tail(CosHalf::kDouble, 0, y), tail(SincHalf::kDouble, 0, y), tail(DHalf::kDouble, 0, y),
-          tail(EHalf::kDouble, 0, y)};
+  return {terms_from(CosHalf::kDouble, 0, y), terms_from(SincHalf::kDouble, 0, y), terms_from(DHalf::kDouble, 0, y),
+          terms_from(EHalf::kDouble, 0, y)};
 }
 
 // The factors of beta.

@@ -23,8 +23,7 @@ Vector unscale(const Scaled<Vector>& a) {
   return result;
 }
 
-// a * 2^(600 steps), scaled so that the largest component of `value` is between 2^-474 and 2^424, for any a other than
-// 0.
+// The same vector as a * 2^(600 steps), the largest component of `value` being between 2^-474 and 2^424 for any a != 0.
 template <class Vector>
 Scaled<Vector> scale(const Vector& a, int steps = 0) {
   const double factor = scale_for(largest_component(a));

@@ -50,8 +50,8 @@ DoubleDouble precise_atan2(const DoubleDouble& y, const DoubleDouble& x) {
                                        {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},
                                        {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}};
   const double square = ratio.value * ratio.value;
-  const double rest = ratio.value * tail(AtanRatio::kDouble, 1, square) + ratio.error / (1.0 + square);
-  const DoubleDouble sum = add(kEighths[eighths], {sign * ratio.value, sign * rest});
+  const double small_terms = ratio.value * terms_from(AtanRatio::kDouble, 1, square) + ratio.error / (1.0 + square);
+  const DoubleDouble sum = add(kEighths[eighths], {sign * ratio.value, sign * small_terms});
   return two_sum(sum.value, sum.error);
 }
 

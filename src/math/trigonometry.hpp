@@ -38,23 +38,23 @@ namespace {
 // ---- Sine, cosine and arctangent of double, or of a vector of it, in plain arithmetic: the same bits everywhere, and
 // for a vector those of its samples one by one.
 
-// The terms c_k x^k from k = skip on, by Horner's scheme. Callers add the first terms last, so that these round once.
+// The terms c_k x^k from k = first on, by Horner's scheme. Callers add the first terms last, so that these round once.
 template <class Number, size_t Terms>
-QTRAJ_INLINE Number tail(const double (&coefficients)[Terms], size_t skip, Number x) {
+QTRAJ_INLINE Number terms_from(const double (&coefficients)[Terms], size_t first, Number x) {
   Number sum(coefficients[Terms - 1]);
-  for (size_t k = Terms - 1; k-- > skip;) sum = sum * x + Number(coefficients[k]);
-  for (size_t k = 0; k < skip; ++k) sum = sum * x;
+  for (size_t k = Terms - 1; k-- > first;) sum = sum * x + Number(coefficients[k]);
+  for (size_t k = 0; k < first; ++k) sum = sum * x;
   return sum;
 }
 
 // Argument reduction: x = quarters pi/2 + high + low, without cancellation where x is close to a multiple of pi/2.
 template <class Number>
-struct Reduced {
+struct ReducedAngle {
   Number quarters, high, low;
 };
 
 template <class Number>
-QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, Reduced<Number>& reduced) {
+QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, ReducedAngle<Number>& reduced) {
   // pi/2 to 159 bits
   const Number half_pi(0x1.921fb54442d18p+0), half_pi_low(0x1.1a62633145c07p-54),
       half_pi_lowest(-0x1.f1976b7ed8fbcp-110);
@@ -64,22 +64,23 @@ QTRAJ_INLINE void subtract_quarters(Number x, Number quarters, Reduced<Number>& 
                                product_low = two_product(quarters, half_pi_low);
   const DoubleDoubleOf<Number> once = two_sum(x - product.value, -product.error);
   const DoubleDoubleOf<Number> twice = two_sum(once.value, -product_low.value);
-  const Number rest = (once.error + twice.error) - (product_low.error + quarters * half_pi_lowest);
+  const Number low_terms = (once.error + twice.error) - (product_low.error + quarters * half_pi_lowest);
   reduced.quarters = quarters;
-  reduced.high = twice.value + rest;
-  reduced.low = (twice.value - reduced.high) + rest;
+  reduced.high = twice.value + low_terms;
+  reduced.low = (twice.value - reduced.high) + low_terms;
 }
 
 template <class Number>
-QTRAJ_INLINE Reduced<Number> reduce(Number x) {
+QTRAJ_INLINE ReducedAngle<Number> reduce_angle(Number x) {
   const Number quarters_per_radian(0x1.45f306dc9c883p-1);
-  Reduced<Number> reduced;
+  ReducedAngle<Number> reduced;
   subtract_quarters(x, round_to_integer(x * quarters_per_radian), reduced);
-  // for an angle of many turns the first count may be off by a quarter, because it was taken from a rounded product
-  const Number missed = round_to_integer(reduced.high * quarters_per_radian);
+  // for an angle of many turns the first count may be off by a quarter, because it was taken from a rounded product;
+  // lanes that missed none get the same result again
+  const Number missed_quarters = round_to_integer(reduced.high * quarters_per_radian);
   const Number zero(0.0);
-  if (any(missed < zero) || any(zero < missed))
-    subtract_quarters(x, reduced.quarters + missed, reduced);  // lanes that missed none get the same result again
+  if (any(missed_quarters < zero) || any(zero < missed_quarters))
+    subtract_quarters(x, reduced.quarters + missed_quarters, reduced);
   return reduced;
 }
 
@@ -92,14 +93,14 @@ template <class Number>
 QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
   const Number zero(0.0), half(0.5), one(1.0), two(2.0), far(0x1p50);
   const Number below = select(far < angle, far, angle);
-  const Reduced<Number> reduced = reduce(select(below < -far, -far, below));
+  const ReducedAngle<Number> reduced = reduce_angle(select(below < -far, -far, below));
   const Number high = reduced.high, low = reduced.low;
 
   const Number y = high * high;
-  const Number s = high + (high * tail(SincArc::kDouble, 1, y) + low);
+  const Number s = high + (high * terms_from(SincArc::kDouble, 1, y) + low);
   // 1 - y/2, its rounding error, and the small terms
   const Number leading = one - half * y;
-  const Number c = leading + (((one - leading) - half * y) + (tail(CosArc::kDouble, 2, y) - high * low));
+  const Number c = leading + (((one - leading) - half * y) + (terms_from(CosArc::kDouble, 2, y) - high * low));
 
   // the quarter, one of -2, -1, 0, 1, 2
   const Number quarter = reduced.quarters - Number(4.0) * round_to_integer(Number(0.25) * reduced.quarters);
@@ -128,7 +129,7 @@ QTRAJ_INLINE Number atan2_of(Number y, Number x) {
 
   // a multiple of pi/4 in double-double; its value is exact
   const Number high = eighths * Number(0x1.921fb54442d18p-1), low = eighths * Number(0x1.1a62633145c07p-55);
-  const Number atan_tail = ratio * tail(AtanRatio::kDouble, 1, ratio * ratio);
+  const Number atan_tail = ratio * terms_from(AtanRatio::kDouble, 1, ratio * ratio);
   const Number magnitude = select(eighths < one, ratio + atan_tail, high + (sign * ratio + (sign * atan_tail + low)));
   return select(y < zero, -magnitude, magnitude);
 }

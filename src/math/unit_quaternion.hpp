@@ -25,8 +25,8 @@ QTRAJ_INLINE PreciseLength<Number> precise_length_of(const Number (&a)[4]) {
   // one Newton step gives the error
   const Number length = square_root(square.value), inverse = Number(1.0) / length;
   const DoubleDoubleOf<Number> length_squared = two_product(length, length);
-  const Number rest = (square.value - length_squared.value) - length_squared.error + square.error;
-  return {length, (Number(0.5) * rest) * inverse, inverse};
+  const Number residual = (square.value - length_squared.value) - length_squared.error + square.error;
+  return {length, (Number(0.5) * residual) * inverse, inverse};
 }
 
 // a / |a| to 1e-30, as value + error; value is the nearest double, a zero keeps its sign. Components below 2^-700 stay
@@ -46,8 +46,8 @@ QTRAJ_INLINE UnitOf<Number> unit_of(const Number (&a)[4]) {
   for (size_t k = 0; k < 4; ++k) {
     const Number quotient = a[k] * unit.length.inverse;
     const DoubleDoubleOf<Number> product = two_product(quotient, unit.length.value);
-    const Number rest = (a[k] - product.value) - product.error - quotient * unit.length.error;
-    const Number correction = rest * unit.length.inverse, sum = quotient + correction;
+    const Number residual = (a[k] - product.value) - product.error - quotient * unit.length.error;
+    const Number correction = residual * unit.length.inverse, sum = quotient + correction;
     unit.value[k] = select(least < quotient, sum, select(quotient < -least, sum, quotient));
     unit.error[k] = correction - (unit.value[k] - quotient);
   }

@@ -10,19 +10,20 @@ namespace {
 constexpr RowKernel<ScatterRows> kScatterKernels[] = QTRAJ_OF_EACH_TARGET(add_scatter);
 
 // Eigenvalues and, in columns, eigenvectors of a symmetric matrix by cyclic Jacobi rotations (G. Golub, C. Van Loan,
-// "Matrix Computations", 8.5.5): only + - * / sqrt, and accurate to rounding.
+// "Matrix Computations", 8.5.5): accurate to rounding, and made of + - * / sqrt only.
 struct Eigensystem {
   Matrix4 values;  // diagonal
   Matrix4 vectors = Matrix4::Identity();
 };
 
-// Makes element (p, q) zero.
+// One Jacobi rotation: makes element (p, q) zero.
 void rotate_plane(Eigensystem& system, int p, int q) {
   Matrix4& a = system.values;
   if (a(p, q) == 0) return;
-  // tangent of the smaller angle; half_difference may dwarf a(p, q), so neither is divided by the other's square
+  // the tangent of the smaller angle; half_difference may dwarf a(p, q), so that neither is divided by the other's
+  // square
   const double half_difference = 0.5 * (a(q, q) - a(p, p));
-  const double largest = std::max(std::abs(half_difference), std::abs(a(p, q)));  // squares of the rest may vanish
+  const double largest = std::max(std::abs(half_difference), std::abs(a(p, q)));  // unscaled squares may underflow
   const double x = half_difference / largest, y = a(p, q) / largest;
   const double radius = std::sqrt(x * x + y * y);
   const double tangent = y / (x >= 0 ? x + radius : x - radius);
@@ -56,7 +57,7 @@ Eigensystem eigensystem(const Matrix4& symmetric) {
 }  // namespace
 
 double Spectrum::eigengap() const {
-  // of equal samples rounding may leave a second eigenvalue below 0 and a first above the sum
+  // with equal samples, rounding errors may leave the second eigenvalue below 0 and the first above the sum
   return std::min((values[0] - std::max(values[1], 0.0)) / sum_of_weights, 1.0);
 }
 
@@ -106,7 +107,7 @@ Status OrientationScatter::top_eigenvector(double epsilon, Quaternion& mean) {
 }
 
 Outcome scatter_of(WeightedOrientations& samples, OrientationScatter& scatter) {
-  // which of several faults comes first is asked only where there is one
+  // only where there is a fault it is asked which one comes first
   return samples.scale_weights() && scatter.add(samples) ? Outcome() : samples.first_fault();
 }
 

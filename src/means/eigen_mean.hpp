@@ -1,4 +1,4 @@
-// The eigen mean of orientations, and the spectrum of their scatter, from which the Karcher mean starts.
+// The eigen mean of orientations, and the spectrum of their scatter matrix, from which the Karcher mean starts.
 #pragma once
 
 #include <limits>
@@ -10,25 +10,25 @@
 
 namespace qtraj {
 
-// Eigenvalues, falling, and eigenvectors, orthonormal to rounding, of a scatter.
+// Eigenvalues of a scatter matrix, in decreasing order, and its eigenvectors, orthonormal to rounding.
 struct Spectrum {
   double values[4];
   Quaternion vectors[4];  // signs as found
   double sum_of_weights;
 
-  // (l1 - l2) / sum of weights, in [0, 1]: 1 where all orientations are one.
+  // (l1 - l2) / sum of weights, in [0, 1]: 1 where all orientations are equal.
   double eigengap() const;
-  // Whether the two largest eigenvalues are one to rounding: any vector of their plane is then a top eigenvector.
+  // Whether the two largest eigenvalues are equal to rounding: any vector of their plane is then a top eigenvector.
   bool ties(double epsilon) const { return eigengap() <= 64.0 * epsilon; }
 };
 
-// Sum of w q q^T over samples, their quaternions made unit.
+// The scatter matrix: the sum of w q q^T over samples, their quaternions made unit.
 class OrientationScatter {
  public:
-  // Finite q != 0 of any norm; weight above 0.
+  // Adds a sample: finite q != 0 of any norm, weight above 0.
   void add(const Quaternion& q, double weight);
 
-  // All samples of weight above 0; false where one is at fault.
+  // Adds all samples of weight above 0; false where one is at fault.
   bool add(const WeightedOrientations& samples);
 
   Spectrum spectrum();
@@ -42,10 +42,11 @@ class OrientationScatter {
   void close_block();
 
   BlockSum<10> sum_;   // upper triangle, row by row
-  SampleBlock block_;  // not yet in the sum
+  SampleBlock block_;  // samples not yet in the sum
 };
 
-// The first pass over samples: scales their weights and finds the first at fault. Those of weight 0 are left out.
+// The first pass over samples: scales their weights and finds the first sample at fault. Those of weight 0 are left
+// out.
 Outcome scatter_of(WeightedOrientations& samples, OrientationScatter& scatter);
 
 struct EigenMean {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kHalfPi = 0.5 * kPi;
 constexpr int kSteps = 64;
 
-// dbar, by a pass over the samples; the error of the sum itself is below that of its terms.
+// dbar, by a pass over the samples; the error of the summation is below that of the terms.
 double mean_distance(const WeightedOrientations& samples, const Quaternion& mean, double sum_of_weights) {
   DoubleDouble sum = {0, 0};
   for (size_t sample = 0; sample < samples.count; ++sample) {
@@ -37,14 +37,14 @@ double search_radius(const Spectrum& spectrum, const Quaternion& mean, const Log
   return std::max(64.0 * epsilon, std::min(radius, kHalfPi));
 }
 
-// What the samples do at the distances s_k = S k / 64 from m, k = 1..64.
+// Bounds of what the samples contribute at the distances s_k = S k / 64 from m, k = 1..64.
 struct Profile {
   double s[kSteps + 1];
-  double curvature[kSteps + 1];  // at least that of f/2, by samples that stay within pi/2
+  double curvature[kSteps + 1];  // lower bound of that of f/2, by samples that stay within pi/2
   double far[kSteps + 1];        // weight of samples that may have been passed at pi/2
 };
 
-// By a pass over the samples.
+// Computes the profile by a pass over the samples.
 Profile profile_of(const WeightedOrientations& samples, const Quaternion& mean, double radius) {
   const double tie = 64.0 * samples.epsilon();
   Profile profile = {};
@@ -63,7 +63,7 @@ Profile profile_of(const WeightedOrientations& samples, const Quaternion& mean, 
       if (angle >= kHalfPi - tie) {
         profile.far[k] += weight;
       } else {
-        // cosine and sine of the sum of angles
+        // the cosine and sine of d + s_k
         const double c = at.cosine * cosine[k] - at.sine * sine[k], s = at.sine * cosine[k] + at.cosine * sine[k];
         profile.curvature[k] += weight * (angle * c / s);
       }

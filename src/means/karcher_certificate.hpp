@@ -6,9 +6,9 @@
 
 namespace qtraj {
 
-// Whether f has its one global minimum at m, to the step that is left there: true is a proof, false says nothing.
-// `at_mean` are the moments about m, `spectrum` that of the samples. Notation of log_moments.hpp; `tie` = 64 eps of the
-// samples' type, the angle that is noise.
+// Whether f has its one global minimum at m, up to the step that a descent left there: true is a proof, false says
+// nothing. `at_mean` are the moments about m, `spectrum` that of the samples. The notation is that of log_moments.hpp;
+// `tie` = 64 eps of the samples' type is the angle that is noise.
 //
 // (1) All d < pi/4: the samples lie in a ball in which f has one critical point, the global minimum (B. Afsari,
 //     "Riemannian L^p center of mass", Proc. AMS 139 (2011), with injectivity radius pi/2).

@@ -7,7 +7,7 @@
 namespace qtraj {
 namespace {
 
-// A descent: where it stands and how it came there.
+// The state of a descent: where it stands and how it came there.
 struct Descent {
   Quaternion mean;
   LogMoments at_mean;
@@ -35,7 +35,7 @@ Descent descend(const WeightedOrientations& samples, const Quaternion& start, co
   while (!descent.converged && descent.iterations < settings.max_iterations) {
     const Descent before = descent;
     const LogMoments& at = before.at_mean;
-    // rounding alone moves f by that much: each d is good to about eps
+    // rounding errors alone move f by this much, because each d is good to about eps
     const double noise = 8.0 * DBL_EPSILON * at.weight * at.root_mean_square();
     move(samples, newton_step(at), descent);
     if (descent.at_mean.squares > at.squares + noise) {
@@ -48,14 +48,14 @@ Descent descend(const WeightedOrientations& samples, const Quaternion& start, co
   return descent;
 }
 
-// Keeps the descent with the lesser f.
+// Descends from another start and keeps the descent with the smaller f.
 void try_start(const WeightedOrientations& samples, const Quaternion& start, const KarcherSettings& settings,
                Descent& best) {
   const Descent descent = descend(samples, unit(start), settings);
   if (descent.at_mean.squares < best.at_mean.squares) best = descent;
 }
 
-// All starts but the eigen mean: the eigenvectors e_j, (+-e1 +-e2 +-e3 +-e4)/2, (e_i +- e_j)/sqrt2.
+// All starts but the eigen mean: the other eigenvectors e_j, (+-e1 +-e2 +-e3 +-e4)/2, (e_i +- e_j)/sqrt2.
 void try_other_starts(const WeightedOrientations& samples, const Spectrum& spectrum, const KarcherSettings& settings,
                       Descent& best) {
   const Quaternion* e = spectrum.vectors;

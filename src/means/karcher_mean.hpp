@@ -8,7 +8,7 @@
 namespace qtraj {
 
 struct KarcherSettings {
-  // Length of a step, rad on S^3, at which a descent ends; at least 4 eps of the samples' type is used.
+  // Length of a step, rad on S^3, at which a descent ends; 4 eps of the samples' type is used where that is larger.
   double tolerance;
   int32_t max_iterations;  // of each descent
 

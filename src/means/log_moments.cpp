@@ -31,7 +31,7 @@ LogMoments log_moments(const WeightedOrientations& samples, const Quaternion& ba
   });
   double sum[11];
   for (size_t term = 0; term < 11; ++term) sum[term] = logs.sums.value(term);
-  // as u u^T has the trace 1, what the traces leave of W is sum w d cot d
+  // u u^T has trace 1, so that W less the trace of the sum is sum w d cot d
   const double across = sum[0] - (sum[5] + sum[8] + sum[10]);
   Matrix3 hessian;
   hessian << sum[5] + across, sum[6], sum[7], sum[6], sum[8] + across, sum[9], sum[7], sum[9], sum[10] + across;

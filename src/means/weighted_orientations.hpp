@@ -1,4 +1,4 @@
-// What a mean is taken of: a caller's orientations and weights, checked once, then read in place by every pass.
+// The input of a mean: a caller's orientations and weights, checked once, then read in place by every pass.
 #pragma once
 
 #include "functions/for_each_row.hpp"
@@ -10,21 +10,21 @@ namespace qtraj {
 // q / |q| for finite q != 0 of any magnitude, each component within 2 eps of its size.
 Quaternion unit(const Quaternion& q);
 
-// A block of samples one by one, for sums over what vectors cannot take from the caller's arrays.
+// A block of samples copied one by one: for sums over samples that kernels cannot read from the caller's arrays.
 class SampleBlock {
  public:
   bool is_full() const { return count_ == kBlockRows; }
 
-  // Finite q != 0 of any magnitude; weight above 0.
+  // Adds a sample: finite q != 0 of any magnitude, weight above 0.
   void add(const Quaternion& q, double weight);
 
-  // As arrays whose rows fill the lanes of a sum; the rows that are added for that have weight 0.
+  // The samples as arrays whose rows fill the lanes of a sum; the padding rows have weight 0.
   SampleRows padded();
 
   void clear() { count_ = 0; }
 
  private:
-  double q_[kBlockRows][4], weights_[kBlockRows];  // only rows that were written are read
+  double q_[kBlockRows][4], weights_[kBlockRows];  // left uninitialised: only rows that were written are read
   size_t count_ = 0;
 };
 
@@ -32,14 +32,14 @@ struct WeightedOrientations {
   Input<4> q;
   Input<1> weights;  // data may be null: all 1
   size_t count;
-  // A power of two that takes the largest weight to below 4 and, where it is normal, to at least 1: sums of weights do
+  // A power of two that scales the largest weight to below 4 and, where it is normal, to at least 1: sums of weights do
   // not overflow, and weights below 1e-308 of the largest become 0.
   double weight_scale = 1;
 
   // To be called first. False where weights are at fault or all 0.
   bool scale_weights();
 
-  // What ties to within the rounding of the caller's type is a tie.
+  // eps of the caller's type, which decides what is a tie.
   double epsilon() const { return epsilon_of(q); }
 
   // The first sample at fault. One of weight 0 can be at fault too. Weights that are all 0 are zero_norm, without an
@@ -53,9 +53,9 @@ struct WeightedOrientations {
   // next.
   Quaternion with_sign_of_first(const Quaternion& mean) const;
 
-  // A sum over all samples of weight above 0, in their order; false where a sample is at fault. `add(rows, first,
-  // count)` is a kernel; samples that it does not take from the caller's arrays come in blocks of our own. The k-th
-  // sample of weight above 0 goes to the same lane and block in both ways: sums are the same bits.
+  // Sums over all samples of weight above 0, in their order; false where a sample is at fault. add(rows, first, count)
+  // is a kernel. Samples that it does not take from the caller's arrays are copied to a SampleBlock. In both ways the
+  // k-th sample of weight above 0 goes to the same lane and block, so that sums are the same bits.
   template <class Add>
   bool sum(const Add& add) const {
     const SampleRows rows = {q, weights, weight_scale, false};

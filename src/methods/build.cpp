@@ -17,7 +17,7 @@ Element* at_offset(void* block, size_t bytes) {
 constexpr size_t kKeyBytes = 4 * sizeof(double);
 constexpr size_t kKnotBytes = sizeof(double) + Guide::entries(1) * sizeof(uint64_t);
 
-// Latest time, seen from the knot, at which the arc still has a direction: 2^50 rad on, or 2^1000 s.
+// How far from the knot the arc still has a direction: 2^50 rad, or 2^1000 s.
 double far_distance(double rate) { return rate > 0x1p-950 ? 0x1p50 / rate : 0x1p1000; }
 
 Extrapolation extrapolation_at(const EndSetting& setting, double knot, double forward, const Quaternion& key,
@@ -38,7 +38,7 @@ Extrapolation extrapolation_at(const EndSetting& setting, double knot, double fo
     }
   }
   const double distance = forward * far_distance(side.rate);
-  // the sum may pass DBL_MAX
+  // the sum may overflow
   const bool room = std::abs(0.5 * knot + 0.5 * distance) < 0.5 * DBL_MAX;
   side.far_time = room ? knot + distance : forward * DBL_MAX;
   return side;

@@ -1,4 +1,5 @@
-// From keyframes and options to a trajectory.
+// The builder: from keyframes and options to a trajectory. It cleans the keyframes (keyframes.hpp), makes the guide of
+// the knots (curve/knot_lookup.hpp), and lets the method's own builder (method.hpp) fill the segments.
 #pragma once
 
 #include "curve/trajectory.hpp"
@@ -16,7 +17,7 @@ bool trajectory_size(const Options& options, size_t count, TrajectorySize& size)
 // Whether the options are complete and the input has the rates they need, and no others: ok or option.
 Status check_settings(const Options& options, const KeyframeInput& input, Frame rate_frame);
 
-// Builds in 8-byte aligned memory of the sizes above, settings checked; the workspace is free again afterwards.
+// Builds in 8-byte aligned memory of the sizes above. Settings have been checked; the workspace is free afterwards.
 Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,
                          void* workspace, Trajectory** out);
 

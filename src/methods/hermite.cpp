@@ -1,3 +1,4 @@
+// The builder of HERMITE.
 #include "math/so3.hpp"
 #include "methods/key_rates.hpp"
 #include "methods/method.hpp"

@@ -8,7 +8,7 @@ namespace qtraj {
 
 namespace {
 
-// h v, component by component; false where one is past the limit, before any product can overflow.
+// h v; false where a component is past the limit, which is known before any product can overflow.
 bool scale(const Vector3& v, double h, double limit, Vector3& scaled) {
   if (h > 1.0 && largest_component(v) > limit / h) return false;
   scaled = h * v;
@@ -34,7 +34,7 @@ bool given_scaled_omega(const Construction& construction, size_t key, double h, 
 
 bool given_scaled_alpha(const Construction& construction, size_t key, double h, double limit, Vector3& scaled) {
   const Vector3 alpha = row_of(construction.input.alpha, key);
-  // h alpha may be past the limit where h^2 alpha is not, and the other way round
+  // h alpha may be past the limit where h^2 alpha is not, and vice versa
   Vector3 once;
   constexpr double kAnything = 0x1p1020;
   const double first_limit = h > 1.0 ? limit / h : kAnything;
@@ -82,7 +82,8 @@ Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double
   Neighbours nodes{};
   size_t count = 0;
   for (size_t k = 1; k <= most && k < keys.count; ++k) {
-    // much closer neighbours have too large weights, much farther ones none at all, and their quotients could overflow
+    // much closer neighbours would have too large weights, much farther ones have none, and their quotients could
+    // overflow
     constexpr double kFar = 0x1p300, kNear = 1e-3;
     const double gap = std::abs(keys.times[key(k)] - keys.times[key(k - 1)]);
     const double distance = std::abs(keys.times[key(k)] - keys.times[key(0)]);

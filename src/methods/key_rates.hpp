@@ -1,4 +1,4 @@
-// Rates of a curve at its keys: given by the caller, of the chord, or estimated at an end.
+// Rates of a curve at its keys, for builders: given by the caller, of the chord, or estimated at an end.
 #pragma once
 
 #include "methods/method.hpp"

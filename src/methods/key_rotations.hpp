@@ -1,4 +1,4 @@
-// Rotations between keyframes, block by block: kernels make those of a block at once.
+// Rotations between keyframes, for builders. A kernel (rows/keys.hpp) computes them block by block.
 #pragma once
 
 #include "math/so3.hpp"
@@ -7,13 +7,13 @@
 namespace qtraj {
 
 constexpr size_t kRotationBlock = 64;
-// Rotations to the keys first, first + 1, ..., at most kRotationBlock of them.
+// The rotations to keys first, first + 1, ..., at most kRotationBlock of them.
 struct RotationBlock {
   double rows[kRotationBlock][4];  // sin_part, angle
 
-  // Each from the key before, first >= 1.
+  // From the key before each; first >= 1.
   void fill_steps(const Keyframes& keys, size_t first, size_t count);
-  // All from one orientation.
+  // All from the same orientation.
   void fill_from(const UnitQuaternion& from, const Keyframes& keys, size_t first, size_t count);
   RelativeRotation operator[](size_t row) const { return {{rows[row][0], rows[row][1], rows[row][2]}, rows[row][3]}; }
 };

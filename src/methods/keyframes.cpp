@@ -19,8 +19,8 @@ Status check_keyframe(const KeyframeInput& input, size_t key, bool is_ordinary) 
   return check_knot(input.times, key);
 }
 
-// Makes keys unit from `first` on, as many as the kernel does, and tells how many. In blocks, which are still in the
-// cache when their signs are looked at.
+// Makes keys unit from `first` on, as many as the kernel does, and returns how many. At most a block of them, which is
+// then still in the cache when signs are made continuous.
 size_t fill_units(const KeyframeInput& input, size_t first, Keyframes& keys, KeyframeReport& report) {
   constexpr size_t kBlock = 128;
   return kUnitKeyKernels[target()]({input.q_wb, keys.q, keys.q_remainder, &report.worst_norm_error}, first,
@@ -53,7 +53,7 @@ void Keyframes::set(size_t key, const UnitQuaternion& unit) {
 
 Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report) {
   Keyframes cleaned = keys;
-  size_t ordinary = 0;  // keys up to it that the kernel made unit
+  size_t ordinary = 0;  // keys below this index are done, or were made unit by the kernel
   for (size_t key = 0; key < input.count; ++key) {
     if (key >= ordinary) ordinary = key + fill_units(input, key, cleaned, report);
     const Status status = check_keyframe(input, key, key < ordinary);

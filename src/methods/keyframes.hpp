@@ -1,4 +1,5 @@
-// The door for keyframes: caller's arrays are checked, normalised and made sign-continuous, once.
+// Keyframes enter here: a caller's arrays are checked, normalised and made sign-continuous once, before anything else
+// sees them.
 #pragma once
 
 #include "base/status.hpp"
@@ -21,13 +22,13 @@ struct KeyframeInput {
 struct Keyframes {
   double* times;             // [count]
   double (*q)[4];            // [count], rounded
-  double (*q_remainder)[4];  // [count], what the rounding left; working space of the constructor
+  double (*q_remainder)[4];  // [count], rounding errors of q; working space of the constructor
   size_t count;
 
   UnitQuaternion operator[](size_t key) const { return {load(q[key]), load(q_remainder[key])}; }
   void set(size_t key, const UnitQuaternion& unit);
   size_t segments() const { return count - 1; }
-  // length of segment i
+  // Length of a segment, s.
   double step(size_t segment) const { return times[segment + 1] - times[segment]; }
 };
 

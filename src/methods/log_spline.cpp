@@ -1,3 +1,4 @@
+// The builder of LOG_SPLINE.
 #include "math/cubic_spline.hpp"
 #include "means/eigen_mean.hpp"
 #include "methods/key_rotations.hpp"
@@ -54,7 +55,7 @@ Outcome fill_logs(const Construction& construction, const UnitQuaternion& refere
   return {};
 }
 
-// h p' at a knot, false where its square would overflow.
+// h p' at a knot; false where its square would overflow.
 bool scaled_slope_at(const Workspace& workspace, size_t key, double h, Vector3& scaled) {
   const Vector3 slope = load(workspace.slope[key]);
   if (largest_component(slope) > 0x1p500 / h) return false;
@@ -67,8 +68,8 @@ bool scaled_slope_at(const Workspace& workspace, size_t key, double h, Vector3& 
 // LOG_SPLINE: q_ref exp(p(t)), p the C2 cubic spline through p_i = unwrap(log(q_ref* q_i)). One chart for the whole
 // curve: smooth and cheap near q_ref and for turns about one axis; singular at -q_ref, and after a full turn at q_ref.
 //
-// not_finite with a key's index where uneven knots throw p so far (beyond 2^500 rad) that its square would overflow;
-// not_closed where the ends are periodic and the unwrapped p does not come back.
+// not_finite with a key's index where uneven knots make the slopes so large (h p' beyond 2^500 rad) that squares would
+// overflow; not_closed where the ends are periodic and the unwrapped p does not come back to its start.
 Outcome build_log_spline(Construction& construction) {
   UnitQuaternion reference;
   const Status status = find_reference(construction, reference);

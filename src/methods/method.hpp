@@ -1,4 +1,4 @@
-// What builders and the table of methods (method.cpp) share.
+// What the methods' builders and the table of methods (method.cpp) share.
 #pragma once
 
 #include "curve/segment.hpp"
@@ -20,7 +20,7 @@ struct Construction {
   Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
   // Largest |p| of rotation-vector segments.
   ExponentRange range = ExponentRange::quarter_turn;
-  // Of methods that iterate: how often a system was solved, and what is left of the equations (qtraj_residual).
+  // Of methods that iterate: how often a system was solved, and the residual of the equations (qtraj_residual).
   int32_t iterations = 0;
   double residual = 0;
 };

@@ -1,3 +1,4 @@
+// The builder of NLERP.
 #include "math/so3.hpp"
 #include "methods/method.hpp"
 

@@ -1,4 +1,5 @@
-// A method and its settings. Every setter checks at once and fails without effect, so that a valid object stays valid.
+// A method and its settings. Every setter checks its arguments and fails without effect, so that a valid object stays
+// valid.
 #pragma once
 
 #include "base/settings.hpp"

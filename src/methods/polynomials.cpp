@@ -15,7 +15,7 @@ void set_segment(const Quaternion& base, double h, const Vector3 (&c)[Degree + 1
 
 }  // namespace
 
-// The bounds are the lengths of the Bezier points, whose hull holds the curve.
+// The bounds are the largest lengths of the Bezier control points, whose convex hull contains the curve.
 
 double set_cubic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<3>& segment) {
   Vector3 c[4];

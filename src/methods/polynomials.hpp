@@ -1,4 +1,4 @@
-// Polynomials in s = 2u - 1 from their ends, and the rotation-vector segments made of them.
+// Polynomials in s = 2u - 1 from values and derivatives at their ends, and the rotation-vector segments made of them.
 #pragma once
 
 #include "curve/segment.hpp"
@@ -26,8 +26,8 @@ void cubic_through(const EndValues<Vector>& ends, Vector (&c)[4]) {
   c[0] = 0.5 * (ends.value[0] + ends.value[1]) - c[2];
 }
 
-// The quintic through values and both derivatives. `half_step` and `middle`, half the difference and half the sum of
-// the values, are given: callers know them better than rounded values tell.
+// The quintic through values and both derivatives. `half_step` and `middle` are half the difference and half the sum of
+// the values, which callers know more accurately than the rounded values tell.
 template <class Vector>
 void quintic_through(const EndValues<Vector>& ends, const Vector& half_step, const Vector& middle, Vector (&c)[6]) {
   const Vector first_mean = 0.25 * (ends.first[1] + ends.first[0]),
@@ -43,11 +43,12 @@ void quintic_through(const EndValues<Vector>& ends, const Vector& half_step, con
   c[0] = middle - c[2] - c[4];
 }
 
-// Half-angle vectors p at the ends, in full: p, h p', h^2 p''. Fills the segment and gives a bound of |p| over it.
+// Fills a segment from the half-angle vector p at its ends, given as p, h p', h^2 p'', and returns a bound of |p| over
+// it.
 double set_cubic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<3>& segment);
 double set_quintic(const Quaternion& base, double h, const EndValues<Vector3>& p, RotationVectorSegment<5>& segment);
 
-// The range of kernels for |p| up to a bound.
+// The ExponentRange for |p| up to a bound.
 ExponentRange range_of(double bound);
 
 }  // namespace qtraj

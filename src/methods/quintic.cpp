@@ -1,3 +1,4 @@
+// The builders of ROTATION_QUINTIC and QUATERNION_QUINTIC.
 #include "math/so3.hpp"
 #include "methods/key_rates.hpp"
 #include "methods/method.hpp"
@@ -84,7 +85,7 @@ Outcome build_quaternion_quintic(Construction& construction) {
     }
     keep_end_rates(construction, i, rates);
   }
-  constexpr double kFloatRange = 0x1p20;  // squares and products of four stay in it
+  constexpr double kFloatRange = 0x1p20;  // squares and products of four then stay in the range of float
   construction.range = largest > kFloatRange ? ExponentRange::any : ExponentRange::quarter_turn;
   return {};
 }

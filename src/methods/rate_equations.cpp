@@ -10,14 +10,14 @@ namespace {
 
 constexpr RowKernel<JacobianRecords> kJacobianKernels[] = QTRAJ_OF_EACH_TARGET(jacobians);
 
-// |h w| past this: the squares in beta, over the shortest interval, could overflow.
+// Past this |h w| the squares in beta, over the shortest interval, could overflow.
 constexpr double kLargestScaledRate = 0x1p200;
 
 QTRAJ_INLINE Vector3 rate_from(const RateEquation& row, const Vector3& d) {
   return product(load_matrix(row.jacobian), d);
 }
 
-// Sets the rate at a knot.
+// Sets the rate at a knot, as d and as w = J d.
 QTRAJ_INLINE void set_rate(const Vector3& d, const Vector3& w, RateEquation& row) {
   store(d, row.d);
   store(w, row.w);
@@ -73,7 +73,8 @@ Outcome RateEquations::fix_end(size_t knot) {
   return {};
 }
 
-// R of the segments, and what it alone decides: many at once, and by the core what kernels leave.
+// R of the segments, and the Jacobian and the factors of beta, which depend on R alone: by a kernel, and what it leaves
+// by the core.
 void RateEquations::prepare_segments() {
   for_each_log(keys_, [&](size_t i, const Vector3& log) {
     RateEquation& row = rows_[end_of(i)];
@@ -112,7 +113,7 @@ void RateEquations::prepare_row(size_t knot) {
 
 Outcome RateEquations::prepare() {
   if (!closed()) {
-    // before the first knot nothing turns
+    // there is no rotation before the first knot
     rows_[0] = {};
     rows_[0].h = h(0);
   }
@@ -128,7 +129,7 @@ Outcome RateEquations::prepare() {
   return {};
 }
 
-// Rows of the Newton step from the rates d: on the right is what is left of the equations.
+// The linear system of the Newton step from the rates d; its right side is the residual of the equations.
 struct RateEquations::System {
   const RateEquation* rows;
   size_t count;
@@ -145,19 +146,19 @@ struct RateEquations::System {
   QTRAJ_INLINE Vector3 right(size_t i, const Vector3& before) const {
     const RateEquation &row = rows[i], &last = rows[i == 0 ? count - 1 : i - 1],
                        &next = rows[i + 1 == count ? 0 : i + 1];
-    Vector3 rest = load(row.constant) - load(row.w) - row.upper * load(next.d);
+    Vector3 right_side = load(row.constant) - load(row.w) - row.upper * load(next.d);
     // beta of h d, divided by h: rates only appear as h d, whose squares cannot overflow
     if (weight > 0)
-      rest -= turning_acceleration(weight / row.h * row.turning, load(row.r), Vector3(row.h * load(row.d)));
-    // last what waits for the row before
-    return rest - product(load_matrix(row.lower), Vector3(load(last.d) + before));
+      right_side -= turning_acceleration(weight / row.h * row.turning, load(row.r), Vector3(row.h * load(row.d)));
+    // the only term that depends on the row before comes last, so that all others are off the dependency chain
+    return right_side - product(load_matrix(row.lower), Vector3(load(last.d) + before));
   }
 };
 
 // ---- Their solution ----
 
-// What a change of the rate at a knot is measured by. Where all around is at rest, repeated keys, a share of the
-// fastest knot's rate; where everything is, or moves by denormal steps, a rate of no account.
+// The unit for changes of the rate at a knot: the size of the rates around it. Where these are 0, at repeated keys, it
+// is a share of the fastest rate of the curve; where that is 0 or subnormal too, a negligible rate.
 double RateEquations::scale_at(const RateEquation& row) const {
   return std::max({row.local_rate, 1e-6 * fastest_, 1e-290});
 }
@@ -216,7 +217,7 @@ double RateEquations::change_from_saved() const {
 }
 
 double RateEquations::residual() const {
-  // in units of the shortest interval: rates over the shortest ones squared could overflow
+  // in units of the shortest interval, because rates divided by its square could overflow
   double shortest = h(0);
   for (size_t i = 1; i < keys_.segments(); ++i) shortest = std::min(shortest, h(i));
   const System system = {rows_, unknowns_, 1.0};
@@ -231,7 +232,7 @@ double RateEquations::residual() const {
     const Vector3 alpha = 6.0 / h(knot) * r(knot) - 4.0 * load(row.w) - 2.0 * end_rate(knot);
     largest_alpha = std::max({largest_alpha, largest_component(alpha) * unit, largest_component(load(row.w)) * unit});
   }
-  constexpr double kAtRest = 1e-280;  // rates of no account, with few digits left
+  constexpr double kAtRest = 1e-280;  // smaller rates are negligible and have few digits left
   return largest_alpha > kAtRest ? largest_jump / largest_alpha : 0.0;
 }
 

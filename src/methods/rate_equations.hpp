@@ -1,4 +1,4 @@
-// The equations for the rates of a ROTATION_SPLINE at its knots: rotation_spline.hpp states them.
+// The equations for the rates of a ROTATION_SPLINE at its knots, which rotation_spline.cpp states and solves.
 #pragma once
 
 #include "base/times.hpp"
@@ -10,17 +10,19 @@ namespace qtraj {
 
 // The equation of a knot, multiplied by h_before h_after/(4 (h_before + h_after)): its weights are then shares of
 // intervals, right = h_after/(h_before + h_after) and left, and nothing overflows. Its unknown is d_i = A_{i-1} w_i,
-// the rate of the rotation vector at the end of the segment before, instead of w_i = J_i d_i, J_i = Jr(R_{i-1}): what
-// stands above the diagonal is then a number. At the start of an open curve R_{-1} = 0, d_0 = w_0, J_0 = 1.
+// the rate of the rotation vector at the end of the segment before, instead of w_i = J_i d_i, J_i = Jr(R_{i-1}): blocks
+// above the diagonal are then multiples of the unit matrix. At the start of an open curve R_{-1} = 0, d_0 = w_0,
+// J_0 = 1.
 //   (right/2) J_i J_{i-1} d_{i-1} + J_i d_i + (left/2) d_{i+1} + (right h_{i-1}/4) beta(R_{i-1}, d_i)
 //     = (3/2) (right R_{i-1}/h_{i-1} + left R_i/h_i).
-// A natural end is the same with the share outside 0 and the other 1; a fixed rate with both 0 and itself on the right.
+// The equation of a natural end has the outer share 0 and the other 1; that of a fixed rate has both 0 and the rate on
+// the right side.
 struct RateEquation {
-  double saved[3];         // a copy of d to go back to
+  double saved[3];         // the copy of d that restore() goes back to
   double reach;            // h_before h_after/(4 (h_before + h_after)); 0 where the rate is fixed
   double chord_rate;       // largest component of R/h on both sides
   double local_rate;       // the larger of that and the largest component of w
-  double limit;            // of the components of w
+  double limit;            // of the magnitude of w's components
   double jacobian[9];      // J_i
   double w[3], d[3];       // the rates
   double r[3], h;          // of the segment before
@@ -33,18 +35,19 @@ struct RateEquation {
 // Working space: the equations, and the elimination's vector and two matrices.
 static_assert(sizeof(RateEquation) == (kRotationSplineWorkspacePerKey - 3 - 2 * 9) * sizeof(double));
 
-// The equations for the rates, beta weighted by a factor from 0 to 1, and what solving them needs.
+// The equations for the rates and the steps of their solution, with beta weighted by a factor from 0 to 1.
 class RateEquations {
  public:
   explicit RateEquations(Construction& construction);
 
-  // The equations, and the rates that are fixed by end conditions, the others 0.
+  // Sets up the equations, the rates that are fixed by end conditions, and all other rates to 0.
   Outcome prepare();
-  // Matrix of the Newton step from the present rates; false where it is singular.
+  // Factorizes the matrix of the Newton step from the present rates; false where it is singular.
   bool factorize(double weight);
-  // One step with that matrix, its size relative to the rates around each knot. False where it cannot be taken.
+  // Takes one step with that matrix; its size is relative to the rates around each knot. False where a rate leaves its
+  // limit.
   bool step(double weight, double& size);
-  // To go back to, and how far the rates have moved since, relative as in step.
+  // Save the rates, go back to them, and tell how far the rates have moved since, relative as in step.
   void save();
   void restore();
   double change_from_saved() const;
@@ -63,7 +66,8 @@ class RateEquations {
 
   bool closed() const { return construction_.options.closed(); }
   double h(size_t segment) const { return keys_.step(segment); }
-  // Knots and segments beside a knot, going on with the other end of the curve; in an open one that has no weight.
+  // The knots and segments beside a knot. Past an end these are at the other end of the curve; in an open curve they
+  // have weight 0.
   size_t previous(size_t knot) const { return knot == 0 ? unknowns_ - 1 : knot - 1; }
   size_t next(size_t knot) const { return knot + 1 == unknowns_ ? 0 : knot + 1; }
   size_t end_of(size_t segment) const { return next(segment); }

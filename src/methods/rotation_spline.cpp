@@ -1,3 +1,4 @@
+// The builder of ROTATION_SPLINE.
 #include "methods/method.hpp"
 #include "methods/polynomials.hpp"
 #include "methods/rate_equations.hpp"
@@ -5,10 +6,10 @@
 namespace qtraj {
 namespace {
 
-// Newton's method while it converges at once: a first step of at most half the rates, each later one at most half the
-// one before. After a step below 1e-4 its matrix is kept, while steps gain at least two digits each: they cost half as
-// much. From one below 1e-9 at most two more reach rounding; none is taken that would change less, as its size
-// foretells: that of the last step, less what the last step gained.
+// Newton's method, given up where it does not converge at once: the first step is at most half the rates, each later
+// one at most half the one before. After a step below 1e-4 the factorized matrix is kept as long as each step gains at
+// least two digits, because such steps cost half as much. After a step below 1e-9 at most two more reach rounding; a
+// step whose predicted size, size^2 / before, is below rounding is not taken.
 bool converge(RateEquations& equations, double weight) {
   constexpr double kSmall = 1e-9, kKeepMatrix = 1e-4, kGain = 1e-2, kRounding = 3e-17;
   double allowed = 0.5, before = 1.0, size = 1.0;
@@ -29,7 +30,8 @@ bool converge(RateEquations& equations, double weight) {
   return true;
 }
 
-// Raises the weight of beta from 0 to 1 by as much as the rates bear.
+// Continuation: raises the weight of beta from 0 to 1, by increments that grow after success and are halved after
+// failure.
 bool continue_from_zero(RateEquations& equations) {
   double weight = 0, increment = 0.25;
   while (weight < 1.0) {
@@ -48,7 +50,7 @@ bool continue_from_zero(RateEquations& equations) {
 }
 
 Outcome solve(RateEquations& equations) {
-  // without beta the equations are linear: one step from anywhere
+  // without beta the equations are linear: one step solves them from anywhere
   double size;
   if (!equations.factorize(0.0) || !equations.step(0.0, size)) return {Status::no_convergence, kNoIndex};
   equations.save();
@@ -74,7 +76,7 @@ Outcome build_rotation_spline(Construction& construction) {
   RateEquations equations(construction);
   Outcome outcome = equations.prepare();
   if (outcome.status != Status::ok) return outcome;
-  // two keys that close a curve are one orientation: at rest
+  // two keys that close a curve are one orientation, and the body is at rest
   const bool at_rest = keys.count == 2 && construction.options.closed();
   if (!at_rest) outcome = solve(equations);
   if (outcome.status != Status::ok) return outcome;

@@ -1,3 +1,4 @@
+// The builder of SLERP.
 #include "math/arc.hpp"
 #include "methods/key_rates.hpp"
 #include "methods/method.hpp"

@@ -1,3 +1,4 @@
+// The builder of SQUAD. The tangent rule and the controls are in functions/squad.hpp.
 #include "functions/squad.hpp"
 
 #include "math/arc.hpp"
@@ -19,7 +20,7 @@ Workspace workspace_of(const Construction& construction) {
   return {rows, rows + construction.keys.count};
 }
 
-// Whether a control at this rate would be 2 pi or more away from its chord.
+// Whether the logarithm of a control would wrap at this rate: |h s - L| >= 2 pi.
 bool control_wraps(const Vector3& s, const SquadChord& chord) {
   if (largest_component(s) > 16.0 / chord.h) return true;
   return length(Vector3(chord.h * s - chord.log)) >= 2.0 * kPi;
@@ -46,7 +47,7 @@ class HalfRates {
  private:
   SquadChord chord(size_t segment) const { return {load(workspace_.log[segment]), keys_.step(segment)}; }
 
-  // Segments on both sides of a key; a closed curve goes on with the other end, an open one has none there.
+  // The segments on both sides of a key. Past an end a closed curve goes on with its other end, an open one has none.
   struct Sides {
     size_t before, after;
     bool has_before, has_after;
@@ -58,8 +59,8 @@ class HalfRates {
 
   Status half_rate(size_t key, Vector3& s) const {
     const Options& options = construction_.options;
-    // where the rates at the keys are given, so are those at the ends, unless an end condition was chosen there; the
-    // last key of a closed curve counts as the first
+    // given rates at the keys are also the end rates, unless an end condition was chosen; the last key of a closed
+    // curve counts as the first
     const EndSetting* end = key == 0 ? &options.start : key == keys_.segments() ? &options.end : nullptr;
     const bool closed = options.closed();
     const bool from_keys = options.tangents == Tangent::given && (!end || end->condition == End::standard || closed);
@@ -85,7 +86,7 @@ class HalfRates {
   }
 
   Status given(const Vector3& omega, Frame frame, size_t key, Vector3& s) const {
-    // past this no interval is short enough, and turning the vector could overflow
+    // past this every control wraps, however short the interval, and rotating the vector could overflow
     if (largest_component(omega) > 0x1p520) return Status::option;
     s = 0.5 * (frame == Frame::world ? to_body(keys_[key].value, omega) : omega);
     const Sides at = sides(key);
@@ -99,9 +100,9 @@ class HalfRates {
   Workspace workspace_;
 };
 
-// Whether the arcs are close enough for the kernels' shorter forms. The cosine of their distance at s in [-1, 1] has a
-// second derivative below (x + y)^2, x and y their half angles: between its ends and the middle it stays within an
-// eighth of that of the chords.
+// Whether the arcs are close enough for the kernels' near form. The cosine of their distance at s in [-1, 1] has a
+// second derivative below (x + y)^2, x and y being their half angles: between the ends and the middle it stays within
+// an eighth of that of its chords.
 bool are_near(const Arc& outer, const Arc& inner, double cosine_at_start, double cosine_at_end) {
   const double angles = outer.half_angle + inner.half_angle;
   const double least = std::min({cosine_at_start, dot(outer.m, inner.m), cosine_at_end});
@@ -114,7 +115,7 @@ void store_arc(const Arc& arc, NestedArcsSegment::Arc& out) {
   store(arc.e, out.e);
 }
 
-// Im(P* C) as NestedArcsSegment::relative has it. `m_offset` is the part of the inner middle across the outer one.
+// Fills NestedArcsSegment::relative, Im(P* C). `m_offset` is the part of the inner middle orthogonal to the outer one.
 void store_relative(const Arc& outer, const Arc& inner, const Quaternion& m_offset, double (&relative)[4][3]) {
   const auto between = [](const Quaternion& a, const Quaternion& b) { return vector_part(multiply(conjugate(a), b)); };
   store(between(outer.m, m_offset), relative[0]);
@@ -147,7 +148,7 @@ Outcome build_squad(Construction& construction) {
     const UnitQuaternion from = keys[i], to = keys[i + 1];
     const Quaternion chord = difference(to, from), opposite_chord = sum(from, to);
 
-    // in terms of how far the controls are from their keys the ends of the inner arc differ without cancellation
+    // the difference of the ends of the inner arc is formed from the controls' offsets to their keys: no cancellation
     const Vector3 start_rate = load(workspace.half_rate[i]), end_rate = load(workspace.half_rate[i + 1]);
     const Quaternion a_offset = control_offset_after(from.value, start_rate, log_chord);
     const Quaternion b_offset = control_offset_before(to.value, end_rate, log_chord);
@@ -155,15 +156,15 @@ Outcome build_squad(Construction& construction) {
     const Quaternion control_sum = a_offset + b_offset;
     const Arc outer = arc_between(chord, opposite_chord);
     const Arc inner = arc_between(chord + (b_offset - a_offset), opposite_chord + control_sum);
-    // controls are unit: their dot products with the keys are 1 - |offset|^2/2
+    // controls are unit, so that their dot products with the keys are 1 - |offset|^2/2
     const double cosine_at_start = 1.0 - 0.5 * dot(a_offset, a_offset),
                  cosine_at_end = 1.0 - 0.5 * dot(b_offset, b_offset);
     segments[i].scale = 2.0 / log_chord.h;
     segments[i].near = are_near(outer, inner, cosine_at_start, cosine_at_end) ? 1.0 : 0.0;
     store_arc(outer, segments[i].keys);
     store_arc(inner, segments[i].controls);
-    // The sum of the keys is along the outer middle: what the controls add to it makes the difference of the middles,
-    // without cancellation on short arcs. On long ones the inner middle itself tells it as well.
+    // The sum of the keys is along the outer middle. The sum of the controls' offsets therefore gives the difference of
+    // the middles without cancellation on short arcs. On long arcs the inner middle itself is as good.
     const bool is_short = inner.half_angle < 0.5;
     const double inner_sum = length(Quaternion(opposite_chord + control_sum));
     store_relative(outer, inner, is_short ? Quaternion(control_sum / inner_sum) : inner.m, segments[i].relative);

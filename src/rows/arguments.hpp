@@ -1,7 +1,9 @@
-// What kernels over rows take: callers' arrays and what goes with them. All have one signature,
-//   size_t kernel(const Rows& rows, size_t first, size_t count),
-// do rows from `first` on and return how many: up to `count`, or to one that is not ordinary (row_loop.hpp), which the
-// core then does by itself. The row alone decides whether it is ordinary.
+// The arguments of kernels over rows: callers' arrays and what goes with them. All kernels have one signature,
+//   size_t kernel(const Rows& rows, size_t first, size_t count).
+// A kernel does rows from `first` on and returns how many: all up to `count`, or those before the first row that is not
+// ordinary (row_loop.hpp). That row goes back to the core, which does it and calls the kernel again from the next one
+// on (functions/for_each_row.hpp). Whether a row is ordinary depends on the row alone, not on its neighbours in a
+// vector.
 #pragma once
 
 #include "base/array.hpp"
@@ -32,52 +34,52 @@ struct NormalizeRows {
   Output<4> q_out;
 };
 
-// Signs continued from the row before `first`, which is done; flips counts the rows that are changed.
+// Keys made continuous in sign with the row before `first`, which is done; flips counts the rows that are negated.
 struct ContinuousRows {
   Input<4> q;
   Output<4> q_out;
   size_t* flips;
 };
 
-// Keys made unit; worst_norm_error is raised to how far their lengths are from 1.
+// Keys made unit; worst_norm_error is raised to the largest distance of their lengths from 1.
 struct UnitKeyRows {
   Input<4> q;
   double (*unit)[4];
-  double (*unit_error)[4];  // what the rounding of unit left
+  double (*unit_error)[4];  // rounding errors of unit
   double* worst_norm_error;
 };
 
-// Rotations from a to b, unit quaternions of double with what their rounding left. All rows are ordinary.
+// Rotations from a to b, unit quaternions in double-double. All rows are ordinary.
 struct RelativeRotationRows {
   Input<4> a, a_error, b, b_error;
   double (*rotation)[4];  // sin_part and angle (so3.hpp)
 };
 
-// Numbers in records, `stride` numbers from one to the next: pointers are to those of the first record. A rotation
-// vector of more than half a turn is not ordinary.
+// Numbers in records, the pointers to those of the first record and `stride` doubles from one record to the next. A
+// rotation vector of more than half a turn is not ordinary.
 struct JacobianRecords {
   const double* r;   // [3], a rotation vector
-  double* jacobian;  // [9], Jr(r), column after column
+  double* jacobian;  // [9], Jr(r), column by column
   double* turning;   // [3], the factors of beta
   size_t stride;
 };
 
-// Samples of a mean.
+// The samples of a mean.
 struct SampleRows {
   Input<4> q;
   Input<1> weights;     // data null: all 1
   double weight_scale;  // a power of two
-  bool is_padded;       // weights of 0 are those of rows that fill up the last lanes
+  bool is_padded;       // rows of weight 0 are padding of the last lanes
 };
 
-// Weights up to one that is not finite or negative; `largest` is raised to them.
+// The largest of the weights up to one that is not finite or negative: `largest` is raised to it.
 struct WeightRows {
   Input<1> weights;
   double* largest;
 };
 
-// Sums over samples in whole blocks (block_sum.hpp), up to one with a sample that is not ordinary or has weight 0, or
-// whose rows do not fill the lanes. Weights are finite and not negative.
+// Sums over samples, in whole blocks (block_sum.hpp): up to the first block with a sample that is not ordinary or has
+// weight 0, or whose rows do not fill the lanes. Weights are finite and not negative.
 //
 // Scatter: the upper triangle of sum w q q^T, q made unit, row by row.
 using ScatterSums = BlockSum<10>;

@@ -1,5 +1,5 @@
-// Normalisation and rotation row by row. Plain arithmetic: the same bits in the core and in kernels of either
-// arithmetic.
+// Kernels over keys: normalisation, rotation of vectors, continuity of signs, and what constructors need of all
+// keyframes. Plain arithmetic: the same bits in the core and in kernels of either arithmetic.
 #pragma once
 
 #include "math/half_angle.hpp"
@@ -34,10 +34,11 @@ size_t rotate(const RotateRows& rows, size_t first, size_t count) {
   });
 }
 
-// ---- Keys made continuous in sign, many at once: a key is flipped where the number of opposed neighbours up to it is
-// odd.
+// ---- Keys made continuous in sign, a vector of them at once: a key is negated where the number of opposed neighbours
+// up to it is odd.
 
-// Rows `row` - 1, done and written, and `row`, `row` + 1, ..., as they are given; false where one is not ordinary.
+// Loads keys `row`, `row` + 1, ... and the key before each: that before the first one is done and written, the others
+// are as given. False where one is not ordinary.
 template <class Real, class Number>
 QTRAJ_INLINE bool load_neighbours(const ContinuousRows& rows, size_t row, Number (&previous)[4], Number (&q)[4]) {
   if (!load_own_rows<Real>(rows.q, row, q)) return false;
@@ -53,7 +54,7 @@ QTRAJ_INLINE bool load_neighbours(const ContinuousRows& rows, size_t row, Number
   return true;
 }
 
-// Bit i: whether an odd number of the bits 0 .. i is set.
+// The prefix parity: bit i of the result tells whether an odd number of the bits 0 .. i is set.
 inline unsigned parities(unsigned bits) {
   for (unsigned shift = 1; shift < 8 * sizeof bits; shift *= 2) bits ^= bits << shift;
   return bits;
@@ -63,7 +64,8 @@ template <class Real, class Number>
 QTRAJ_INLINE bool continue_rows(const ContinuousRows& rows, size_t row) {
   Number previous[4], q[4];
   if (!load_neighbours<Real>(rows, row, previous, q)) return false;
-  // the rounding of a dot product is below 4 eps of the lengths: its sign is that of the exact one
+  // where the cosine is above 2^-40 in magnitude it has the sign of the exact dot product, because the rounding error
+  // is below 4 eps of the lengths
   const Number cosine = dot_product<Plain>(previous, q), zero(0.0);
   const Number least = Number(0x1p-80) * dot_product<Plain>(previous, previous) * dot_product<Plain>(q, q);
   if (!all(least < cosine * cosine)) return false;
@@ -82,11 +84,10 @@ size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count) {
                          [&](size_t row, auto real) { return continue_rows<decltype(real), Number>(rows, row); });
 }
 
-// ---- What constructors need of all keyframes, many at once. Plain arithmetic: the same bits in the core and in
-// kernels of either arithmetic.
+// ---- What constructors need of all keyframes.
 
-// Whether a component is so small, but not 0, that the error of a product with it may not be exact. Vectors find that
-// error by a fused step where there is one, single rows never: the two then differ.
+// Whether a component is not 0 but so small that two_product with it may not be exact. Vectors then get another error
+// than single rows, because they compute it by FMA where there is one and single rows never do.
 template <class Number>
 QTRAJ_INLINE bool has_tiny(const Number (&q)[4]) {
   const Number zero(0.0), least(0x1p-440);
@@ -126,7 +127,7 @@ size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t
   });
 }
 
-// Between records and vectors that hold the same number of several records.
+// Loads and stores numbers of records that are `stride` doubles apart, one record per lane.
 template <class Number, size_t Width>
 QTRAJ_INLINE void load_strided(const double* from, size_t stride, Number (&to)[Width]) {
   double lanes[Width][kLanesOf<Number>];

@@ -1,5 +1,6 @@
-// Samples of a mean, and the pass of the eigen mean over them: plain arithmetic in the fixed order of sums.hpp,
-// the same bits in all kernels. A quaternion of any ordinary norm stands for its unit one, and none is normalised.
+// The samples of a mean, and the pass of the eigen mean over them: plain arithmetic in the fixed order of sums.hpp, the
+// same bits in all kernels. A quaternion of any ordinary norm stands for its unit one; the terms are divided by |q|^2
+// instead of normalising it.
 #pragma once
 
 #include "math/unit_quaternion.hpp"
@@ -25,7 +26,7 @@ size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count) {
 
 // ---- Sums ----
 
-// Asks for kRows samples some blocks further on than `row`.
+// Prefetches kRows samples three blocks after `row`.
 template <class Real, size_t kRows>
 QTRAJ_INLINE void prefetch_samples(const SampleRows& samples, size_t row) {
   constexpr size_t kRowsAhead = 3 * kBlockRows;
@@ -33,8 +34,9 @@ QTRAJ_INLINE void prefetch_samples(const SampleRows& samples, size_t row) {
   prefetch_for_reading(static_cast<const Real*>(samples.q.data) + 4 * (row + kRowsAhead), 4 * kRows * sizeof(Real));
 }
 
-// Samples `row`, `row` + 1, ...; false where one does not count, or is not ordinary and has a component of 2 or more.
-// Others that are not ordinary have squares far from 1, and only where there are such need they be asked for.
+// Loads samples `row`, `row` + 1, ...; false where one has weight 0 and is no padding, or is not ordinary and has a
+// component of magnitude 2 or more. Of all others that are not ordinary |q|^2 is far from 1: callers test for these
+// only where they find such a square.
 template <class Real, bool kWeighted, class Number>
 QTRAJ_INLINE bool load_samples(const SampleRows& samples, size_t row, Number (&q)[4], Number& weight) {
   if (!load_own_numbers<Real>(samples.q, row, q)) return false;
@@ -47,7 +49,7 @@ QTRAJ_INLINE bool load_samples(const SampleRows& samples, size_t row, Number (&q
   return samples.is_padded || all(Number(0.0) < weight);
 }
 
-// Adds the upper triangle of w q q^T / |q|^2; false where a q is not ordinary.
+// Adds the terms w q q^T / |q|^2, upper triangle; false where a q is not ordinary.
 template <class Number>
 QTRAJ_INLINE bool add_scatter_terms(const Number (&q)[4], Number weight, Number (&sum)[10]) {
   const Number square = dot_product<Plain>(q, q), excess = square - Number(1.0);
@@ -74,8 +76,8 @@ QTRAJ_INLINE bool add_scatter_block(const SampleRows& samples, size_t first, siz
   return add_block<Vector>(rows, add_terms, sums);
 }
 
-// The blocks of samples from `first` on, each by `add_block(row, rows, real, is_weighted)`: the type of the one tells
-// that of the arrays, the value of the other whether there are weights.
+// Adds the blocks of samples from `first` on, each by add_block(row, rows, real, is_weighted): `real` has the type of
+// the arrays' numbers, is_weighted is std::true_type where there are weights.
 template <class AddBlock>
 QTRAJ_INLINE size_t add_blocks(const SampleRows& samples, size_t first, size_t count, const AddBlock& add_block) {
   const auto add = [&](auto real, auto is_weighted) {

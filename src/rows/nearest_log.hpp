@@ -1,5 +1,5 @@
-// The log from one orientation to the nearer of q and -q, in steps: sums over samples do each for many rows. What it
-// promises is in means/log_moments.hpp.
+// The log from one orientation to the nearer of q and -q. It is in steps, because sums over samples do each step for a
+// tile of rows (logs.hpp). means/log_moments.hpp states what it promises.
 #pragma once
 
 #include "math/unit_quaternion.hpp"
@@ -37,8 +37,8 @@ QTRAJ_INLINE Number first_nonzero(const Number (&q)[4]) {
   return first;
 }
 
-// False, and `to` is not to be used, where a q is not ordinary. Those with a component of 2 or more (reaches_two) the
-// caller has asked before: their squares might overflow.
+// False, with `to` unusable, where a q is not ordinary. The caller has already excluded those with a component of
+// magnitude 2 or more (reaches_two), whose squares might overflow.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], RelativeOf<Number>& to) {
   const Number one(1.0);
@@ -57,8 +57,8 @@ QTRAJ_INLINE bool relate(const Number (&base)[4], const Number (&q)[4], Relative
   return true;
 }
 
-// 1 - cos d. AcosRatio of it is d / sin d, without a case for d = 0; times `inverse` that makes a log of the vector
-// part.
+// 1 - cos d. AcosRatio of it is d / sin d, without a special case at d = 0; times `inverse` and the vector part that is
+// the log.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE Number versine_of(const RelativeOf<Number>& to) {
   return Arithmetic::multiply_add(-to.q[0], to.inverse, Number(1.0));

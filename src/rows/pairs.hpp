@@ -1,5 +1,5 @@
-// Slerp and nlerp, pair by pair, where nothing is singular: fractions between 0 and 1, angles of at most a quarter turn
-// of S^3. The rest is done by pair.cpp.
+// Slerp and nlerp of pairs where nothing is singular: fractions between 0 and 1, ends of ordinary norm and less than a
+// quarter turn of S^3 apart. All other rows go back to the core, functions/pairs.cpp.
 #pragma once
 
 #include "math/unit_quaternion.hpp"
@@ -9,7 +9,7 @@
 namespace qtraj {
 namespace {
 
-// Cosine of the angle between a and +-b below which a pair is none of ours.
+// Pairs with a smaller cosine between a and +-b go back to the core.
 constexpr double kLeastPairCosine = 0x1p-20;
 
 // q = from_a a + from_b b, where a and b may have any length.
@@ -18,13 +18,13 @@ struct PairWeights {
   Number from_a, from_b;
 };
 
-// Weights that make unit vectors of a and b, b with the sign that the path asks for; and the cosine between these.
+// Factors that make a and b unit, b with the sign that the path asks for, and the cosine between the two unit vectors.
 template <class Number>
 struct UnitWeights {
   Number from_a, from_b, cosine;
 };
-// False where an a or a b is not ordinary. Those with a component of 2 or more (reaches_two) the caller has asked
-// before: their squares might overflow.
+// False where an a or a b is not ordinary. The caller has already excluded those with a component of magnitude 2 or
+// more (reaches_two), whose squares might overflow.
 template <class Arithmetic, class Number>
 QTRAJ_INLINE bool find_unit_weights(const Number (&a)[4], const Number (&b)[4], bool is_shortest,
                                     UnitWeights<Number>& unit) {
@@ -36,7 +36,7 @@ QTRAJ_INLINE bool find_unit_weights(const Number (&a)[4], const Number (&b)[4], 
   const auto is_near = a_is_near & b_is_near;
   if (!all(is_near)) {
     if (!all(is_ordinary(a)) || !all(is_ordinary(b))) return false;
-    // one division for both: the square root of |b|^2 / (|a|^2 |b|^2), and the other way round
+    // one division serves both: 1/|a| is the square root of |b|^2 / (|a|^2 |b|^2), 1/|b| that of |a|^2 / (|a|^2 |b|^2)
     const Number inverse = one / (aa * bb);
     unit.from_a = select(is_near, unit.from_a, square_root(bb * inverse));
     unit.from_b = select(is_near, unit.from_b, square_root(aa * inverse));
@@ -56,13 +56,13 @@ QTRAJ_INLINE bool find_unit_weights(const Number (&a)[4], const Number (&b)[4], 
 template <class Arithmetic, class Number>
 QTRAJ_INLINE PairWeights<Number> slerp_weights(Number cosine, Number fraction) {
   const Number one(1.0), two(2.0);
-  const Number z = one - cosine, rest = one - fraction;
+  const Number z = one - cosine, complement = one - fraction;
   const Number g = evaluate<Arithmetic, AcosRatio>(z);
   const Number angle_squared = (g * g) * (z * (two - z));
   const auto weight = [&](Number part) {
     return (part * g) * evaluate<Arithmetic, SincHalf>(part * part * angle_squared);
   };
-  return {weight(rest), weight(fraction)};
+  return {weight(complement), weight(fraction)};
 }
 
 struct SlerpBlend {
@@ -70,7 +70,7 @@ struct SlerpBlend {
   QTRAJ_INLINE static PairWeights<Number> weights(Number cosine, Number fraction) {
     return slerp_weights<Arithmetic>(cosine, fraction);
   }
-  // Of a length that is 1 to a few eps.
+  // q is unit to a few eps already.
   template <class Arithmetic, class Number>
   QTRAJ_INLINE static void normalize(Number (&q)[4]) {
     newton_normalize<Arithmetic>(q);
@@ -90,14 +90,14 @@ struct NlerpBlend {
   }
 };
 
-// ---- Blocks of pairs ----
+// ---- Tiles of pairs: three short loops go over each tile ----
 
-// What one loop over a block leaves for the next: each step of a slerp waits for the one before, and a processor has
-// too few instructions under way to fill that time with other rows, which short loops do.
-struct PairBlock {
+// What one loop over a tile leaves for the next. A slerp is one long dependency chain, and the out-of-order window is
+// too small to overlap it with those of other rows; short loops are bound by throughput instead of latency.
+struct PairTile {
   static constexpr size_t kRows = 32;
-  double fraction[kRows], cosine[kRows];
-  double from_a[kRows], from_b[kRows];  // first UnitWeights, then what the rows themselves are multiplied by
+  double fraction[kRows], cosine[kRows], unit_a[kRows], unit_b[kRows];  // of the first loop: fractions and UnitWeights
+  double from_a[kRows], from_b[kRows];                                  // of the second loop: PairWeights
 };
 
 template <class Arithmetic, class Real, class Number>
@@ -112,55 +112,56 @@ QTRAJ_INLINE bool relate_rows(const PairRows& pairs, size_t row, Number& fractio
          all(Number(kLeastPairCosine) <= unit.cosine);
 }
 
-// How many rows from `first` on, up to `rows`, are as they must be.
+// The first loop. How many rows from `first` on, up to `rows`, come before one that goes back to the core.
 template <class Arithmetic, class Real, class Number>
-QTRAJ_INLINE size_t relate_pairs(const PairRows& pairs, size_t first, size_t rows, PairBlock& block) {
+QTRAJ_INLINE size_t relate_pairs(const PairRows& pairs, size_t first, size_t rows, PairTile& tile) {
   size_t row = 0;
   for (; row < rows; row += kLanesOf<Number>) {
     Number fraction;
     UnitWeights<Number> unit;
     if (!relate_rows<Arithmetic, Real>(pairs, first + row, fraction, unit)) break;
-    store_lanes(fraction, &block.fraction[row]);
-    store_lanes(unit.cosine, &block.cosine[row]);
-    store_lanes(unit.from_a, &block.from_a[row]);
-    store_lanes(unit.from_b, &block.from_b[row]);
+    store_lanes(fraction, &tile.fraction[row]);
+    store_lanes(unit.cosine, &tile.cosine[row]);
+    store_lanes(unit.from_a, &tile.unit_a[row]);
+    store_lanes(unit.from_b, &tile.unit_b[row]);
   }
   return row;
 }
 
+// The second loop.
 template <class Blend, class Arithmetic, class Number>
-QTRAJ_INLINE void weigh_pairs(size_t rows, PairBlock& block) {
+QTRAJ_INLINE void weigh_pairs(size_t rows, PairTile& tile) {
   for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
-    const auto load = [&](const double(&numbers)[PairBlock::kRows]) { return load_lanes(&numbers[row], Number()); };
-    const PairWeights<Number> weights = Blend::template weights<Arithmetic>(load(block.cosine), load(block.fraction));
-    store_lanes(weights.from_a * load(block.from_a), &block.from_a[row]);
-    store_lanes(weights.from_b * load(block.from_b), &block.from_b[row]);
+    const auto load = [&](const double(&numbers)[PairTile::kRows]) { return load_lanes(&numbers[row], Number()); };
+    const PairWeights<Number> weights = Blend::template weights<Arithmetic>(load(tile.cosine), load(tile.fraction));
+    store_lanes(weights.from_a * load(tile.unit_a), &tile.from_a[row]);
+    store_lanes(weights.from_b * load(tile.unit_b), &tile.from_b[row]);
   }
 }
 
+// The third loop; the pairs have `count` rows.
 template <class Blend, class Arithmetic, class Real, class Number>
-QTRAJ_INLINE void combine_pairs(const PairRows& pairs, size_t first, size_t rows, size_t count,
-                                const PairBlock& block) {
+QTRAJ_INLINE void combine_pairs(const PairRows& pairs, size_t first, size_t rows, size_t count, const PairTile& tile) {
   Real* const out = static_cast<Real*>(pairs.q.data);
   for (size_t row = 0; row < rows; row += kLanesOf<Number>) {
     Number a[4], b[4], q[4];
     prefetch_output<Real, 4, kLanesOf<Number>>(out, first + row, count);
     read_numbers<Real>(pairs.a, first + row, a);
     read_numbers<Real>(pairs.b, first + row, b);
-    const Number from_a = load_lanes(&block.from_a[row], Number()), from_b = load_lanes(&block.from_b[row], Number());
+    const Number from_a = load_lanes(&tile.from_a[row], Number()), from_b = load_lanes(&tile.from_b[row], Number());
     for (size_t k = 0; k < 4; ++k) q[k] = Arithmetic::multiply_add(from_b, b[k], from_a * a[k]);
     Blend::template normalize<Arithmetic>(q);
     store_rows(q, out, first + row);
   }
 }
 
-// How many rows from `first` on, up to `rows`, are done; `count` rows are in the pairs.
+// Does one tile of up to `rows` rows from `first` on and tells how many; the pairs have `count` rows.
 template <class Blend, class Arithmetic, class Real, class Number>
-size_t blend_block(const PairRows& pairs, size_t first, size_t rows, size_t count) {
-  PairBlock block;
-  const size_t done = relate_pairs<Arithmetic, Real, Number>(pairs, first, rows, block);
-  weigh_pairs<Blend, Arithmetic, Number>(done, block);
-  combine_pairs<Blend, Arithmetic, Real, Number>(pairs, first, done, count, block);
+size_t blend_tile(const PairRows& pairs, size_t first, size_t rows, size_t count) {
+  PairTile tile;
+  const size_t done = relate_pairs<Arithmetic, Real, Number>(pairs, first, rows, tile);
+  weigh_pairs<Blend, Arithmetic, Number>(done, tile);
+  combine_pairs<Blend, Arithmetic, Real, Number>(pairs, first, done, count, tile);
   return done;
 }
 
@@ -169,9 +170,8 @@ size_t blend_pairs(const PairRows& pairs, size_t first, size_t count) {
   const auto blend_all = [&](auto real) {
     size_t row = first;
     while (count - row >= kLanesOf<Number>) {
-      const size_t left = count - row,
-                   rows = left < PairBlock::kRows ? left - left % kLanesOf<Number> : PairBlock::kRows;
-      const size_t done = blend_block<Blend, Arithmetic, decltype(real), Number>(pairs, row, rows, count);
+      const size_t left = count - row, rows = left < PairTile::kRows ? left - left % kLanesOf<Number> : PairTile::kRows;
+      const size_t done = blend_tile<Blend, Arithmetic, decltype(real), Number>(pairs, row, rows, count);
       row += done;
       if (done < rows) break;
     }

@@ -1,5 +1,6 @@
-// Rows of a caller's arrays as numbers of double: one row, or (wide_rows.hpp) as many side by side as a vector has
-// lanes. Functions over such rows do the ordinary ones; what is left goes back to the core, which knows all cases.
+// Rows of a caller's arrays as doubles: one row, or (wide_rows.hpp) one row per lane of a vector. Kernels over rows do
+// ordinary rows only. is_ordinary decides which ones these are, and do_rows stops at the first other one: it goes back
+// to the core, which knows all cases (functions/for_each_row.hpp).
 #pragma once
 
 #include <cstring>
@@ -15,15 +16,15 @@ namespace {
 template <class Number>
 constexpr size_t kLanesOf = 1;
 
-// Lanes as bits, the first the lowest, and back.
+// A lane mask as bits, the first lane in the lowest, and back.
 QTRAJ_INLINE unsigned lane_bits(bool condition) { return condition ? 1 : 0; }
 QTRAJ_INLINE bool lanes_of(unsigned bits, double) { return bits != 0; }
 
-// As many numbers from an array as there are lanes.
+// Loads from and stores to an array, one number per lane.
 QTRAJ_INLINE double load_lanes(const double* from, double) { return *from; }
 QTRAJ_INLINE void store_lanes(double a, double* to) { *to = a; }
 
-// The largest lane.
+// The largest of the lanes.
 template <class Number>
 QTRAJ_INLINE double largest_lane(Number a) {
   double lanes[kLanesOf<Number>];
@@ -33,8 +34,9 @@ QTRAJ_INLINE double largest_lane(Number a) {
   return largest;
 }
 
-// Ordinary rows have a largest component of 2^-120 to 2^120: nothing made of it overflows, also in float, or loses
-// digits. Told by the bits, as a comparison with NaN would raise FE_INVALID.
+// A row is ordinary where its largest component is of magnitude 2^-120 to 2^120. It is then finite and not 0, and
+// nothing made of it overflows, also in float, or loses digits by underflow. Tests the bits, because a comparison with
+// a NaN would raise FE_INVALID.
 constexpr uint64_t kLeastOrdinary = uint64_t{1023 - 120} << 52, kPastOrdinary = uint64_t{1023 + 120} << 52;
 constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52,
                    kInfinityBits = uint64_t{2047} << 52;
@@ -55,7 +57,7 @@ QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
   return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
 }
 
-// Whether a component is of magnitude 2 or more, or NaN: these alone have the highest bit of the exponent set.
+// Whether a component is of magnitude 2 or more, or NaN: only these have the highest bit of the exponent set.
 constexpr uint64_t kTwoBit = uint64_t{1} << 62;
 
 template <size_t Size>
@@ -77,8 +79,8 @@ QTRAJ_INLINE void store_rows(const double (&from)[Width], Real* to, size_t row) 
   for (size_t k = 0; k < Width; ++k) to[Width * row + k] = static_cast<Real>(from[k]);
 }
 
-// Floats are asked before they are converted, as a signalling NaN would raise FE_INVALID; of doubles their conversion
-// asks nothing.
+// Whether rows may be converted to double: floats must be finite, because the conversion of a signalling NaN would
+// raise FE_INVALID; doubles need no conversion.
 template <class Number, size_t Width>
 QTRAJ_INLINE bool can_convert(const double*, size_t, const Number (&)[Width]) {
   return true;
@@ -90,19 +92,19 @@ QTRAJ_INLINE bool can_convert(const float* from, size_t row, const double (&)[Wi
   return finite;
 }
 
-// Whether one row serves all.
+// Whether one row is broadcast to all rows of a call.
 template <size_t Width>
 QTRAJ_INLINE bool is_repeated(const Input<Width>& array) {
   return array.rows == 1;
 }
 
-// What was written, to be read.
+// An output as an input: what was written is read again.
 template <size_t Width>
 QTRAJ_INLINE Input<Width> written(const Output<Width>& array) {
   return {array.data, array.rows, array.is_float};
 }
 
-// Rows `row`, `row + 1`, ... of an array, or its only row that serves all; numbers that can be converted.
+// Reads rows `row`, `row` + 1, ... of an array, or broadcasts its only row. The numbers can be converted.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE void read_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
@@ -112,7 +114,7 @@ QTRAJ_INLINE void read_numbers(const Input<Width>& array, size_t row, Number (&t
   for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
 }
 
-// The same; false where numbers may be not finite, and `to` then is not to be used.
+// The same; false, with `to` unusable, where the numbers cannot be converted.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
@@ -122,7 +124,8 @@ QTRAJ_INLINE bool load_numbers(const Input<Width>& array, size_t row, Number (&t
   return true;
 }
 
-// The same of an array that has a row of its own for each row of the call.
+// load_numbers, and below load_rows, of an array that is never broadcast: it has a row of its own for each row of the
+// call.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_own_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
@@ -135,17 +138,19 @@ QTRAJ_INLINE bool load_own_rows(const Input<Width>& array, size_t row, Number (&
   return load_own_numbers<Real>(array, row, to) && all(is_ordinary(to));
 }
 
+// load_numbers; false also where a row is not ordinary.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   return load_numbers<Real>(array, row, to) && all(is_ordinary(to));
 }
+// load_numbers; false also where a fraction is not between 0 and 1.
 template <class Real, class Number>
 QTRAJ_INLINE bool load_fractions(const Input<1>& array, size_t row, Number (&to)[1]) {
   return load_numbers<Real>(array, row, to) && all(is_inside(to[0]));
 }
 
-// Calls `operation(row, real)`, which does as many rows from that one on as a Number has lanes, real's type being that
-// of the arrays, until fewer rows are left or it is false: it has then done nothing. How many rows it did.
+// Calls operation(row, real), which does one row per lane of a Number from that row on, until fewer rows are left or it
+// is false: it has then done nothing. `real` has the type of the arrays' numbers. Returns how many rows were done.
 template <class Number, class Operation>
 size_t do_rows(bool is_float, size_t first, size_t count, const Operation& operation) {
   const auto do_rows_of = [&](auto real) {
@@ -156,7 +161,7 @@ size_t do_rows(bool is_float, size_t first, size_t count, const Operation& opera
   return is_float ? do_rows_of(float()) : do_rows_of(double());
 }
 
-// The same with `operation(row, largest, real)`, which raises `largest`, a Number, to what it finds in rows.
+// The same with operation(row, largest, real), which raises `largest`, a Number, to what it finds in rows.
 template <class Number, class Operation>
 size_t do_rows_for_largest(bool is_float, size_t first, size_t count, double& largest, const Operation& operation) {
   Number raised(largest);

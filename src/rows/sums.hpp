@@ -1,4 +1,4 @@
-// Sums over rows in a fixed order, many rows at once: how blocks are added to a BlockSum.
+// Sums over rows in a fixed order, a vector of rows at once: how blocks are added to a BlockSum (math/block_sum.hpp).
 #pragma once
 
 #include "math/block_sum.hpp"
@@ -7,7 +7,7 @@
 namespace qtraj {
 namespace {
 
-// The terms of a block's lanes to their sums so far.
+// Adds a block's sums, lane by lane, to the totals, and the rounding errors of that to the errors.
 template <class Vector, size_t Size>
 QTRAJ_INLINE void close_block(const double (&block)[Size][kSumLanes], BlockSum<Size>& sums) {
   for (size_t k = 0; k < Size; ++k)
@@ -19,15 +19,15 @@ QTRAJ_INLINE void close_block(const double (&block)[Size][kSumLanes], BlockSum<S
     }
 }
 
-// Adds left[k] right[k] to each sum. Terms are listed rather than counted through in nested loops, as vectors that
-// these index would go through memory.
+// Adds left[k] right[k] to each sum. Callers list the factors: an array of vectors that nested loops index would be
+// spilled to the stack.
 template <class Arithmetic, class Vector, size_t Size>
 QTRAJ_INLINE void add_products(const Vector (&left)[Size], const Vector (&right)[Size], Vector (&sum)[Size]) {
   for (size_t k = 0; k < Size; ++k) sum[k] = Arithmetic::multiply_add(left[k], right[k], sum[k]);
 }
 
-// Adds `rows` rows, a multiple of kSumLanes up to kBlockRows. `add_terms(row, sum)` adds the terms of as many rows from
-// that one on as a Vector has lanes, or is false, and `sums` are then left alone.
+// Adds one block of `rows` rows, a multiple of kSumLanes up to kBlockRows. add_terms(row, sum) adds the terms of one
+// row per lane of a Vector from that row on. Where it is false, so is the result, and `sums` stay as they were.
 template <class Vector, size_t Size, class AddTerms>
 QTRAJ_INLINE bool add_block(size_t rows, const AddTerms& add_terms, BlockSum<Size>& sums) {
   static_assert(kSumLanes % kLanesOf<Vector> == 0, "lanes of a sum in whole vectors");
@@ -43,8 +43,8 @@ QTRAJ_INLINE bool add_block(size_t rows, const AddTerms& add_terms, BlockSum<Siz
   return true;
 }
 
-// Calls `block(row, rows)` for blocks of rows from `first` on, until one is false or no whole number of kSumLanes. How
-// many rows it did.
+// Calls block(row, rows) for blocks of rows from `first` on, until it is false or a block's rows are no multiple of
+// kSumLanes. Returns how many rows were done.
 template <class Block>
 size_t do_blocks(size_t first, size_t count, const Block& block) {
   size_t row = first;

@@ -1,4 +1,5 @@
-// Rows of a caller's arrays side by side: vectors of double, also of arrays of float.
+// Rows of a caller's arrays, one per lane of a vector of double, from arrays of double or float: the vector overloads
+// of row_loop.hpp.
 #pragma once
 
 #include "rows/row_loop.hpp"
@@ -23,7 +24,7 @@ QTRAJ_INLINE WideMask<double> lanes_of(unsigned bits, Wide<double>) {
 QTRAJ_INLINE Wide<double> load_lanes(const double* from, Wide<double>) { return Wide<double>::load(from); }
 QTRAJ_INLINE void store_lanes(Wide<double> a, double* to) { a.store(to); }
 
-// As many floats as a vector has doubles.
+// A vector with as many floats as Wide<double> has lanes.
 using FloatTag = hn::Rebind<float, Wide<double>::Tag>;
 
 QTRAJ_INLINE Wide<double> promoted(hn::Vec<FloatTag> lanes) {
@@ -39,7 +40,7 @@ QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to
 }
 QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
 #if HWY_TARGET == HWY_AVX3
-  // any 8 of 16 numbers are one instruction: two fields of four rows, then one of eight
+  // one vpermt2pd picks any 8 of 16 numbers: first two fields of four rows, then one field of all eight
   const auto load = [&](size_t lane) { return _mm512_loadu_pd(from + 4 * (row + lane)); };
   const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13),
                 last = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
@@ -101,7 +102,7 @@ QTRAJ_INLINE void store_rows(const Wide<double> (&from)[4], float* to, size_t ro
 using BitsTag = hn::RebindToUnsigned<Wide<double>::Tag>;
 
 QTRAJ_INLINE WideMask<double> is_in_order(uint64_t least, hn::Vec<BitsTag> bits, uint64_t past) {
-  // as signed integers, which every target compares
+  // compared as signed integers, which every target can do
   const IndexTag tag;
   const auto value = hn::BitCast(tag, bits);
   const auto at_least = hn::Gt(value, hn::Set(tag, static_cast<int64_t>(least - 1)));
@@ -111,7 +112,7 @@ QTRAJ_INLINE WideMask<double> is_in_order(uint64_t least, hn::Vec<BitsTag> bits,
 
 template <size_t Size>
 QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
-  // the halves of largest magnitude; the limits are told by the upper ones alone
+  // the maximum of each 32-bit half: the limits depend on the upper halves alone
   const hn::Repartition<uint32_t, Wide<double>::Tag> halves;
   const BitsTag tag;
   auto largest = hn::Zero(halves);
@@ -130,7 +131,7 @@ QTRAJ_INLINE WideMask<double> reaches_two(const Wide<double> (&v)[Size]) {
   return {hn::RebindMask(Wide<double>::Tag(), hn::TestBit(bits, hn::Set(tag, kTwoBit)))};
 }
 
-// Hides that of single numbers.
+// The scalar overload, which the function below would otherwise hide.
 using qtraj::is_finite;
 QTRAJ_INLINE WideMask<double> is_finite(Wide<double> a) {
   const BitsTag tag;

@@ -1,5 +1,5 @@
-// What the files that are compiled for every target have in common. CMake compiles each of them once more for each
-// target, with its flags and these names:
+// What the files that are compiled for every target have in common. CMake compiles each of them once per target, with
+// the target's flags and these names:
 //   QTRAJ_TARGET      the namespace of its functions: avx2, ..., scalar, scalar_fused
 //   QTRAJ_ARITHMETIC  Plain or Fused
 //   QTRAJ_SCALAR      the namespace of scalar code in that arithmetic
@@ -19,7 +19,8 @@ namespace {
 
 using Arithmetic = QTRAJ_ARITHMETIC;
 
-// What rows are done in, and how: rows in vectors first, then those that these leave one after the other.
+// The Number that rows are done in. run_rows does rows in vectors until these stop, at a vector with a row that is not
+// ordinary or at the end, and goes on one row after the other.
 #if defined(QTRAJ_VECTORS)
 static_assert(HWY_TARGET == QTRAJ_VECTORS, "compiled with the flags of another target");
 

@@ -1,7 +1,7 @@
 // The kernels: the same functions in the namespace of every target, compiled from the same files for each.
 //
-// Times and rows that vectors leave are done one after the other by scalar code of the same arithmetic. In plain
-// arithmetic that is the target scalar; scalar_fused is there for the fused targets alone.
+// Times and rows that vectors leave are done one after the other by scalar code in the same arithmetic: of plain
+// targets by the target scalar, of fused ones by scalar_fused, which is there for nothing else.
 #pragma once
 
 #include "curve/sample_call.hpp"
@@ -30,13 +30,14 @@ QTRAJ_EACH_TARGET(QTRAJ_DECLARE_KERNELS, )
 QTRAJ_DECLARE_KERNELS(scalar_fused, fused, , )
 #undef QTRAJ_DECLARE_KERNELS
 
-// The curve of one segment: rates in the body frame.
+// The motion at a time within a segment; rates in the body frame.
 struct SegmentMotion {
   double q[4], omega[3], alpha[3];
 };
 
-// What no vector is for: one sample; a row of double within a segment; and the motion there, up to its very ends, of
-// which only the rates wanted are written, false where one of these overflows.
+// What is never done in vectors: one sample (sample_at); a row of double within a given segment (evaluate_in_double);
+// and the motion there, up to the segment's very ends (segment_motion). The latter writes only the rates that are
+// wanted and is false where one of these overflows.
 #define QTRAJ_DECLARE_SCALAR(name)                                                                     \
   namespace name {                                                                                     \
   SampleAtFunction<double> sample_at;                                                                  \

@@ -1,4 +1,4 @@
-// Keys and vectors, normalised, made continuous, turned. Compiled for every target.
+// The kernels over keys (rows/keys.hpp). Compiled for every target.
 #include "rows/keys.hpp"
 
 #include "targets/compiled.hpp"

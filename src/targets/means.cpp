@@ -1,4 +1,4 @@
-// Sums over the samples of means. Compiled for every target.
+// The kernels of means: sums over samples (rows/means.hpp, rows/logs.hpp). Compiled for every target.
 #include "rows/logs.hpp"
 #include "targets/compiled.hpp"
 

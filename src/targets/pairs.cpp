@@ -1,4 +1,4 @@
-// Slerp and nlerp of pairs. Compiled for every target.
+// The kernels slerp and nlerp of pairs (rows/pairs.hpp). Compiled for every target.
 #include "rows/pairs.hpp"
 
 #include "targets/compiled.hpp"

@@ -1,4 +1,5 @@
-// Sampling into double. Compiled for every target; into double and into float apart, as each takes the compiler long.
+// Sampling into double, and scalar code for single samples. Compiled for every target; sampling into float is a file of
+// its own, because each takes the compiler long.
 #include "targets/compiled.hpp"
 
 #if defined(QTRAJ_VECTORS)

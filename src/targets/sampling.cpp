@@ -7,7 +7,7 @@ SampleFunction<float>* const sample_float_by_target[] = QTRAJ_OF_EACH_TARGET(sam
 
 namespace {
 
-// The namespaces of scalar code by their arithmetic.
+// The namespaces of scalar code, named by their arithmetic.
 namespace of_plain = scalar;
 namespace of_fused = scalar_fused;
 

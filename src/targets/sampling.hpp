@@ -1,4 +1,4 @@
-// Sampling by the target that runs.
+// Sampling by the target in use.
 #pragma once
 
 #include "targets/kernels.hpp"
@@ -27,7 +27,7 @@ inline Status sample_at(const Trajectory& trajectory, double time, size_t& curso
   return sample_at_float_by_target[target()](trajectory, time, cursor, outputs);
 }
 
-// In plain arithmetic whatever runs: what diagnostics are made of.
+// For diagnostics, in plain arithmetic whatever target is in use.
 using scalar::segment_motion;
 
 }  // namespace qtraj

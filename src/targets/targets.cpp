@@ -21,7 +21,7 @@ const char* target_name(size_t target) { return kRows[target].name; }
 
 size_t choose_target() {
   size_t best = 0;
-  while (!kRows[best].runs_here()) ++best;  // the last one, scalar, always does
+  while (!kRows[best].runs_here()) ++best;  // ends: the last one, scalar, always runs
   target_in_use.store(best, std::memory_order_relaxed);
   return best;
 }

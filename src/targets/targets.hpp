@@ -1,4 +1,4 @@
-// Which target runs: the best one of those that were compiled (targets.cmake) that this processor has.
+// Dispatch: which target is in use, by default the best of those compiled (targets.cmake) that this processor can run.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@ namespace qtraj {
 constexpr size_t kTargetCount = 0 QTRAJ_EACH_TARGET(QTRAJ_COUNT, );
 #undef QTRAJ_COUNT
 
-// The number of the target in use, kTargetCount until it is first asked for. All threads that find it so choose the
-// same.
+// The number of the target in use, kTargetCount until it is first asked for. Threads that find it so at the same time
+// all choose the same one.
 extern std::atomic<size_t> target_in_use;
 size_t choose_target();
 static inline size_t target() {
@@ -26,8 +26,8 @@ static inline size_t target() {
 // "avx2 fused", "scalar plain", ...
 const char* target_name(size_t target);
 
-// For tests: the target of that name from now on, in all threads; null: the best one again. False where this processor
-// cannot run it or there is none of the name.
+// For tests: puts the target of that name in use, in all threads; null puts the best one in use again. False where this
+// processor cannot run it or there is none of the name.
 bool force_target(const char* name);
 
 // {avx512::function, avx2::function, ..., scalar::function}: indexed by target().

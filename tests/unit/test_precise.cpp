@@ -1,5 +1,6 @@
 #include <cfloat>
 
+#include "math/quaternion.hpp"
 #include "math/trigonometry.hpp"
 #include "support/catch.hpp"
 #include "support/hard_inputs.hpp"
