@@ -7,7 +7,6 @@
 #pragma once
 
 #include "math/arithmetic.hpp"
-#include "simd/vzeroupper.hpp"
 #include "targets/kernels.hpp"
 
 #if defined(QTRAJ_VECTORS)
@@ -18,6 +17,18 @@ namespace qtraj {
 namespace {
 
 using Arithmetic = QTRAJ_ARITHMETIC;
+
+// vzeroupper at the end of functions compiled for AVX. Were the upper halves of the vector registers left dirty, the
+// caller's SSE code would pay for merging with them at every instruction, ten times its run time on some processors.
+// Compilers insert vzeroupper in functions that use vectors, but GCC 12 omits it where the only use is to store zeros
+// 32 bytes at a time.
+struct VzeroupperAtExit {
+#if defined(__AVX__)
+  ~VzeroupperAtExit() { __builtin_ia32_vzeroupper(); }
+#else
+  ~VzeroupperAtExit() {}
+#endif
+};
 
 // The Number that rows are done in. run_rows does rows in vectors until these stop, at a vector with a row that is not
 // ordinary or at the end, and goes on one row after the other.
