@@ -2,8 +2,8 @@
 // vectors. sample_many.hpp samples at them.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "curve/sample_call.hpp"
 #include "simd/prefetch.hpp"
@@ -150,7 +150,7 @@ class ChunkTimes {
     if (!is_finite(times_[0]) || !is_finite(times_[rows_ - 1])) return false;
     if (!__builtin_signbit(times_[0])) return ascend([](Time time) { return bits_of_time(time); });
     return ascend([](Time time) {
-      const BitsOf bits = bits_of_time(time), all_but_sign = hn::Set(Bits(), std::numeric_limits<int64_t>::max());
+      const BitsOf bits = bits_of_time(time), all_but_sign = hn::Set(Bits(), INT64_MAX);
       return hn::Xor(bits, hn::And(hn::BroadcastSignBit(bits), all_but_sign));
     });
   }

@@ -25,13 +25,13 @@ void build_guide(const double* knots, size_t count, uint64_t* first_candidate, d
   // that depends on the distance of the knots, because it would be mispredicted.
   constexpr double kReach = 1 + 0x1p-10;
   std::fill_n(first_candidate, entries, 0);
-  for (size_t i = 1; i < segments; ++i) ++first_candidate[bucket_from(guide.position(knots[i]) + kReach)];
+  for (size_t i = 1; i < segments; ++i) ++first_candidate[bucket_from(position_of(guide, knots[i]) + kReach)];
   for (size_t bucket = 1; bucket < entries; ++bucket) first_candidate[bucket] += first_candidate[bucket - 1];
 
   // a segment is the last candidate of the first bucket that it is a candidate of
   candidates = 1;
   for (size_t i = 1; i < segments; ++i) {
-    const size_t first = first_candidate[bucket_from(guide.position(knots[i]) - kReach)];
+    const size_t first = first_candidate[bucket_from(position_of(guide, knots[i]) - kReach)];
     candidates = std::max(candidates, i + 1 - first);
   }
   // every bucket has this number of candidates, also near the end

@@ -25,20 +25,22 @@ struct Guide {
   // than one segment of even knots. The three of the last knot are for positions at the end.
   static constexpr size_t entries(size_t knots) { return 3 * knots; }
 
-  // The position of a time within the knots, in units of a bucket.
-  double position(double time) const { return (time - start) * scale; }
-
-  // The position rounded to one of the two integers beside it, as the rounding mode has it. Adding 2^52 rounds to an
-  // integer and leaves it in the low bits of the mantissa.
+  // Adding 2^52 to a position rounds it to an integer, as the rounding mode has it, and leaves that integer in the low
+  // bits of the mantissa.
   static constexpr double kShift = 0x1p52;
   static constexpr int64_t kBucketBits = (int64_t{1} << 52) - 1;
-  uint64_t bucket(double time) const {
-    const double shifted = position(time) + kShift;
-    uint64_t bits;
-    std::memcpy(&bits, &shifted, sizeof bits);
-    return bits & kBucketBits;
-  }
 };
+
+// The position of a time within the knots, in units of a bucket.
+static inline double position_of(const Guide& guide, double time) { return (time - guide.start) * guide.scale; }
+
+// The position rounded to one of the two integers beside it.
+static inline uint64_t bucket_of(const Guide& guide, double time) {
+  const double shifted = position_of(guide, time) + Guide::kShift;
+  uint64_t bits;
+  std::memcpy(&bits, &shifted, sizeof bits);
+  return bits & Guide::kBucketBits;
+}
 
 // Fills first_candidate [entries] for knots [count] and sets scale and candidates. They hold in every rounding mode.
 void build_guide(const double* knots, size_t count, uint64_t* first_candidate, double& scale, size_t& candidates);
@@ -65,7 +67,7 @@ static inline size_t find_segment(const KnotIndex& index, double time, size_t gu
     if (time < knots[guess + 1]) return guess;
     if (guess + 1 < index.segments && time < knots[guess + 2]) return guess + 1;
   }
-  size_t low = index.guide.first_candidate[index.guide.bucket(time)];
+  size_t low = index.guide.first_candidate[bucket_of(index.guide, time)];
   for (size_t left = index.guide.candidates; left > 1; left -= left / 2) {
     const size_t middle = low + left / 2;
     low = knots[middle] <= time ? middle : low;

@@ -33,7 +33,7 @@ static inline DoubleDoubleOf<Number> two_product(Number a, Number b) {
 }
 
 // a b - c d to 2 eps relative, however much cancels; in the range of two_product.
-inline double difference_of_products(double a, double b, double c, double d) {
+static inline double difference_of_products(double a, double b, double c, double d) {
   const DoubleDouble first = two_product(a, b), second = two_product(c, d);
   return (first.value - second.value) + (first.error - second.error);
 }

@@ -1,10 +1,10 @@
 # The one list of targets: instruction sets that kernels are compiled for beside scalar code, best first.
 #
-# qtraj_target(name processor arithmetic highway FEATURES what the processor is asked for FLAGS more for the compiler)
+# qtraj_target(name processor arithmetic highway FEATURES what the processor must have FLAGS more compiler flags)
 #   name        as qtraj_target() reports it, "name arithmetic"; its functions are in the namespace qtraj::name
 #   arithmetic  fused where a multiply-add rounds once: all fused targets give the same bits, and all plain ones
 #   highway     its name in Highway, which must agree with the flags
-#   FEATURES    by the names that __builtin_cpu_supports and, after -m, the compiler has for them
+#   FEATURES    as __builtin_cpu_supports names them, and the compiler after -m
 set(qtraj_known_targets)
 macro(qtraj_target name processor arithmetic highway)
   cmake_parse_arguments(row "" "" "FEATURES;FLAGS" ${ARGN})
@@ -19,10 +19,10 @@ macro(qtraj_target name processor arithmetic highway)
   endforeach()
 endmacro()
 
-# prefetchw is not asked for: processors without it do nothing instead
+# Processors without prefetchw (-mprfchw) execute it as a no-op, therefore it is a flag and not a feature.
 qtraj_target(avx512 x86_64 fused HWY_AVX3
              FEATURES avx512f avx512bw avx512cd avx512dq avx512vl avx2 fma bmi bmi2 FLAGS -mprfchw)
 qtraj_target(avx2 x86_64 fused HWY_AVX2 FEATURES avx2 fma bmi bmi2 FLAGS -mprfchw)
 qtraj_target(sse4 x86_64 plain HWY_SSE4 FEATURES sse4.2)
-# Highway's NEON functions are declared for processors with AES; nothing of ours uses it, and no compiler does by itself
+# Highway declares its NEON functions for processors with AES. No instruction of it is used, and compilers emit none.
 qtraj_target(neon aarch64 fused HWY_NEON FLAGS -march=armv8-a+crypto)

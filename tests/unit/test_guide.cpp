@@ -133,7 +133,7 @@ TEST_CASE("the guide is exact in every rounding mode, whichever it was built in"
         std::fesetround(used_in);
         size_t wrong = 0, past_the_end = 0;
         for (const double time : times) {
-          if (guide.index.guide.bucket(time) >= qtraj::Guide::entries(knots.times.size())) {
+          if (bucket_of(guide.index.guide, time) >= qtraj::Guide::entries(knots.times.size())) {
             ++past_the_end;
             continue;
           }
