@@ -104,7 +104,7 @@ done
 
 # ---- Files ----
 
-find "$SOURCE" -name 'build*' -prune -o -name '*.md' -exec python3 "$SOURCE/tests/package/readme/links.py" {} + ||
+find "$SOURCE" -path "$SOURCE/build*" -prune -o -name '*.md' -exec python3 "$SOURCE/tests/package/readme/links.py" {} + ||
   failed=1
 for page in "${pages[@]:1}" "$about_sources"; do
   name=$(basename "$page")
