@@ -39,7 +39,7 @@ qtraj_status rotate_vectors(const Real* q_wb, size_t q_count, const Real* v_body
 }
 
 // The second of two arrays that are NULL together is as optional as both are.
-Argument with(const void* other, const Argument& argument) { return other ? argument : optional(argument); }
+Argument required_with(const void* other, const Argument& argument) { return other ? argument : optional(argument); }
 
 }  // namespace
 
@@ -122,9 +122,9 @@ qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, con
                                    input<3>(omega, count),
                                    input<3>(alpha, count),
                                    {output<4>(dq_out, count), output<4>(ddq_out, count)}};
-  return call(
-      {rows.q_wb, rows.omega, with(ddq_out, rows.alpha), rows.derivatives.first, with(alpha, rows.derivatives.second)},
-      {true, is_known(rows.frame)}, bad_index, [&] { return derivatives_from_rates(rows, count); });
+  return call({rows.q_wb, rows.omega, required_with(ddq_out, rows.alpha), rows.derivatives.first,
+               required_with(alpha, rows.derivatives.second)},
+              {true, is_known(rows.frame)}, bad_index, [&] { return derivatives_from_rates(rows, count); });
 }
 
 qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, const double* dq, const double* ddq,
@@ -134,8 +134,9 @@ qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, con
                                    input<4>(dq, count),
                                    input<4>(ddq, count),
                                    {output<3>(omega_out, count), output<3>(alpha_out, count)}};
-  return call({rows.q_wb, rows.dq, with(alpha_out, rows.ddq), rows.rates.first, with(ddq, rows.rates.second)},
-              {true, is_known(rows.frame)}, bad_index, [&] { return rates_from_derivatives(rows, count); });
+  return call(
+      {rows.q_wb, rows.dq, required_with(alpha_out, rows.ddq), rows.rates.first, required_with(ddq, rows.rates.second)},
+      {true, is_known(rows.frame)}, bad_index, [&] { return rates_from_derivatives(rows, count); });
 }
 
 }  // extern "C"

@@ -79,7 +79,7 @@ qtraj_status create_with_options(const qtraj_options* options, const Request& re
 qtraj_status create_with_given_rates(const qtraj_options* options, const Request& request) {
   const Status status = begin(request);
   if (!options || (request.input.count > 0 && !request.input.omega.data)) return QTRAJ_E_NULL;
-  return status != Status::ok ? capi::to_c(status) : create_with_options(options, request);
+  return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
 }
 
 bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, const Request& request) {

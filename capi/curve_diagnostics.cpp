@@ -1,6 +1,5 @@
 #include "arguments.hpp"
 #include "diagnostics/curve.hpp"
-#include "methods/options.hpp"
 
 using namespace qtraj;
 using capi::to_c;
@@ -35,7 +34,7 @@ qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame
   if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_OPTION;
   const size_t bytes = 3 * trajectory->core.key_count * sizeof(double);
   if (capi::overlap({omega_jump, bytes}, {alpha_jump, bytes})) return QTRAJ_E_OVERLAP;
-  return to_c(knot_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
+  return to_c(curve_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
 }
 
 qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,

@@ -20,7 +20,7 @@ const char* qtraj_status_text(int32_t status) {
     case QTRAJ_E_SIZE:
       return "an array would be larger than the address space allows";
     case QTRAJ_E_OPTION:
-      return "unknown constant, option the method does not have, or missing rates";
+      return "unknown constant, or a setting, rates or limit that does not fit";
     case QTRAJ_E_BUFFER:
       return "memory is too small or not aligned to 8 bytes";
     case QTRAJ_E_OVERLAP:
@@ -44,7 +44,7 @@ const char* qtraj_status_text(int32_t status) {
     case QTRAJ_E_AMBIGUOUS:
       return "more than one answer is equally right";
     case QTRAJ_E_NO_CONVERGENCE:
-      return "iteration limit reached";
+      return "no curve found, iteration limit reached, or too many pieces";
     case QTRAJ_E_INTERNAL:
       return "defect of the library, please report";
     default:

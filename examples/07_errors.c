@@ -125,8 +125,8 @@ int main(int argc, char** argv) {
  *     at  1.5 s: an orientation
  *   one key                  blames the caller  too few elements, or counts that do not belong together
  *   no keys                  blames the caller  a required pointer is NULL
- *   no method                blames the caller  unknown constant, option the method does not have, or missing rates
- *   tangents for SLERP       blames the caller  unknown constant, option the method does not have, or missing rates
+ *   no method                blames the caller  unknown constant, or a setting, rates or limit that does not fit
+ *   tangents for SLERP       blames the caller  unknown constant, or a setting, rates or limit that does not fit
  *   output over the input    blames the caller  an output overlaps another array
  *   an open curve, repeated  blames the data    periodic, but the last key does not return to the first
  */

@@ -21,15 +21,16 @@
  * @par Constructors
  *   They write NULL to *out on every error, AMBIGUOUS included, and leak nothing.
  * @par Counts
- *   count 0 is OK with NULL arrays, except where a minimum is stated (2 keys, 1 sample of a mean, 2 of a difference):
+ *   count 0 is OK with NULL arrays, except where a function states a minimum, such as 2 keys or 1 sample of a mean:
  *   then COUNT. An input with a count of its own has count rows, or 1 row that serves all.
  * @par Memory
  *   The caller owns every array. Inputs are copied or only read during the call; nothing is borrowed. Pointers must not
  *   be NULL where the comment of the function does not allow it. An output may be the same array as an input of the
  *   same type, row length and number of rows ("in place"); any other overlap is OVERLAP.
  * @par Threads
- *   No global state. A trajectory is immutable: any number of threads may sample it. Options belong to one thread at a
- *   time. Rounding mode, FP traps, errno and locale are never changed; only FE_INEXACT and FE_UNDERFLOW can be raised.
+ *   No state that calls share, but the choice of a kernel, made once. A trajectory is immutable: any number of threads
+ *   may sample it. Options belong to one thread at a time. Rounding mode, FP traps, errno and locale are never
+ *   changed; only FE_INEXACT and FE_UNDERFLOW can be raised.
  * @par Constants
  *   Enumerators are passed as int32_t. Values never change meaning; new ones are appended.
  * @par Topics
@@ -82,8 +83,8 @@ typedef enum qtraj_status {
   QTRAJ_OK = 0,
   /** A pointer that must be there is NULL: pass it, or a count of 0 where there is nothing to pass. */
   QTRAJ_E_NULL = 1,
-  /** Fewer elements than the function takes (2 keys, 1 sample of a mean), or counts that do not belong together: an
-   * input's own count is 1 or count. */
+  /** Fewer elements than the function takes (such as 2 keys, or 1 sample of a mean), or counts that do not belong
+   * together: an input's own count is 1 or count. */
   QTRAJ_E_COUNT = 2,
   /** An array would be larger than PTRDIFF_MAX bytes: look for a count that was negative, or never set. */
   QTRAJ_E_SIZE = 3,
@@ -462,7 +463,7 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
 
 /** Builds a trajectory through keys in the caller's memory, with or without given rates; nothing is allocated.
  *
- * @param memory     [bytes], aligned to 8 bytes, apart from all inputs; must outlive the trajectory and stay in place
+ * @param memory     [bytes], aligned to 8 bytes, overlapping no input; must outlive the trajectory and stay in place
  * @param bytes      qtraj_init_size() of the same options and count, or more
  * @param options    method and settings, read during the call
  * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
@@ -490,7 +491,7 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  *
  * Keys, omega and alpha are read as float, the times as double, and the curve is built in double. Nothing is allocated.
  *
- * @param memory     [bytes], aligned to 8 bytes, apart from all inputs; must outlive the trajectory and stay in place
+ * @param memory     [bytes], aligned to 8 bytes, overlapping no input; must outlive the trajectory and stay in place
  * @param bytes      qtraj_init_size() of the same options and count, or more
  * @param options    method and settings, read during the call
  * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
@@ -638,7 +639,7 @@ QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajecto
 /** Times at even distances from first to last, both exact, none past last: for the samplers that take times.
  *
  * @param first      s, time of row 0
- * @param last       s, time of the last row; first or later. Of one row first alone is given
+ * @param last       s, time of the last row; first or later, also where count is 1 and the only row is first
  * @param count      number of times; 0 is OK, then times_out may be NULL
  * @param times_out  [count], s, never decreasing
  * @return QTRAJ_OK, or
@@ -651,7 +652,7 @@ QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count,
  * @param trajectory  the curve
  * @param time        s; outside the knots the curve's extrapolation decides
  * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
- *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL: nothing is written;
@@ -665,7 +666,7 @@ QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, doubl
  * @param trajectory  the curve, of double or float keys
  * @param time        s; outside the knots the curve's extrapolation decides
  * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
- *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL: nothing is written;
@@ -681,7 +682,7 @@ QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, d
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
  * @param time        s; outside the knots the curve's extrapolation decides
  * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
- *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all three outputs
  * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
  * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
@@ -701,7 +702,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory,
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
  * @param time        s; outside the knots the curve's extrapolation decides
  * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
- *                    receives the segment used, stays as it is where there is none (outside the knots); may be NULL
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all three outputs
  * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
  * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
@@ -805,7 +806,8 @@ QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory
 
 /** By how much omega and alpha jump at each knot: right-hand minus left-hand value.
  *
- * Rows of the first and the last knot are 0, or where anything is PERIODIC the jump from the end to the start.
+ * Rows of the first and the last knot are 0, or where anything is PERIODIC the jump from the end to the start. Without
+ * outputs it is OK and does nothing.
  *
  * @param trajectory  the curve
  * @param frame       a qtraj_frame_value, of both outputs

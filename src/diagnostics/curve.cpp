@@ -109,7 +109,7 @@ Outcome peak_omega(const Trajectory& trajectory, Peak& peak) { return find_peak(
 
 Outcome peak_alpha(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::alpha, peak); }
 
-Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
+Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
   const size_t last = trajectory.key_count - 1;
   Outcome outcome;
   for (size_t knot = 0; knot <= last; ++knot) {

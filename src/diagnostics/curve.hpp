@@ -8,7 +8,7 @@ namespace qtraj {
 
 // Right-hand minus left-hand omega and alpha at each knot, [key_count][3] in `frame`, each may be null. At the ends 0,
 // or, of a closed curve, the jump from its end to its start. not_finite with the knot's index where they overflow.
-Outcome knot_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
+Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
 
 // Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
 // bisection with 12-point Gauss rules, until halving a piece changes its integral by less than 1e-13 of the largest

@@ -6,6 +6,10 @@
 //   QTRAJ_VECTORS     for all but scalar code: the name that Highway has for the target
 #pragma once
 
+#if !defined(QTRAJ_TARGET)
+#error "name this file in qtraj_kernel_sources (CMakeLists.txt)"
+#endif
+
 #include "math/arithmetic.hpp"
 #include "targets/kernels.hpp"
 

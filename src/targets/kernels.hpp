@@ -30,22 +30,14 @@ QTRAJ_EACH_TARGET(QTRAJ_DECLARE_KERNELS, )
 QTRAJ_DECLARE_KERNELS(scalar_fused, fused, , )
 #undef QTRAJ_DECLARE_KERNELS
 
-// The motion at a time within a segment; rates in the body frame.
-struct SegmentMotion {
-  double q[4], omega[3], alpha[3];
-};
-
-// What is never done in vectors: one sample (sample_at); a row of double within a given segment (evaluate_in_double);
-// and the motion there, up to the segment's very ends (segment_motion). The latter writes only the rates that are
-// wanted and is false where one of these overflows.
+// What is never done in vectors: one sample (sample_at), and a row of double within a given segment, up to its very
+// ends (evaluate_in_double).
 #define QTRAJ_DECLARE_SCALAR(name)                                                                     \
   namespace name {                                                                                     \
   SampleAtFunction<double> sample_at;                                                                  \
   SampleAtFunction<float> sample_at;                                                                   \
   Status evaluate_in_double(const Trajectory& trajectory, size_t segment, double elapsed, bool negate, \
                             const SampleOutputs<double>& outputs, size_t row);                         \
-  bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega,  \
-                      bool wants_alpha, SegmentMotion& motion);                                        \
   }
 QTRAJ_DECLARE_SCALAR(scalar)
 QTRAJ_DECLARE_SCALAR(scalar_fused)

@@ -40,13 +40,6 @@ Status evaluate_in_double(const Trajectory& trajectory, size_t segment, double e
                                                                                     negate, outputs, row);
 }
 
-bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool wants_omega, bool wants_alpha,
-                    SegmentMotion& motion) {
-  const SampleOutputs<double> outputs = {motion.q, wants_omega ? motion.omega : nullptr,
-                                         wants_alpha ? motion.alpha : nullptr, Frame::body};
-  return evaluate_in_double(trajectory, segment, elapsed, false, outputs, 0) == Status::ok;
-}
-
 #endif
 
 }  // namespace QTRAJ_TARGET

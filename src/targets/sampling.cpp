@@ -18,4 +18,11 @@ SampleAtFunction<double>* const sample_at_double_by_target[] = {QTRAJ_EACH_TARGE
 SampleAtFunction<float>* const sample_at_float_by_target[] = {QTRAJ_EACH_TARGET(QTRAJ_SAMPLE_AT, )};
 #undef QTRAJ_SAMPLE_AT
 
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool with_omega, bool with_alpha,
+                    SegmentMotion& motion) {
+  const SampleOutputs<double> outputs = {motion.q, with_omega ? motion.omega : nullptr,
+                                         with_alpha ? motion.alpha : nullptr, Frame::body};
+  return scalar::evaluate_in_double(trajectory, segment, elapsed, false, outputs, 0) == Status::ok;
+}
+
 }  // namespace qtraj

@@ -27,7 +27,14 @@ inline Status sample_at(const Trajectory& trajectory, double time, size_t& curso
   return sample_at_float_by_target[target()](trajectory, time, cursor, outputs);
 }
 
-// For diagnostics, in plain arithmetic whatever target is in use.
-using scalar::segment_motion;
+// The motion at a time within a segment, up to the segment's very ends; rates in the body frame.
+struct SegmentMotion {
+  double q[4], omega[3], alpha[3];
+};
+
+// For diagnostics, in plain arithmetic whatever target is in use. Writes only the rates that are asked for; false where
+// one of these overflows.
+bool segment_motion(const Trajectory& trajectory, size_t segment, double elapsed, bool with_omega, bool with_alpha,
+                    SegmentMotion& motion);
 
 }  // namespace qtraj

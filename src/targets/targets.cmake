@@ -1,4 +1,6 @@
-# The one list of targets: instruction sets that kernels are compiled for beside scalar code, best first.
+# The one list of targets: instruction sets that kernels are compiled for beside scalar code, best first: the first that
+# the processor can run is used. The last fused one lends its flags to fused scalar code, so it must need no feature that
+# another fused one of its processor lacks.
 #
 # qtraj_target(name processor arithmetic highway FEATURES what the processor must have FLAGS more compiler flags)
 #   name        as qtraj_target() reports it, "name arithmetic"; its functions are in the namespace qtraj::name

@@ -32,7 +32,7 @@ TEST_CASE("C API: diagnostics of a NULL handle, or without an output that must b
   CHECK((a == 7 && b == 7 && c == 7 && d == 7 && jumps[0] == 7));
 }
 
-TEST_CASE("C API: knot_jumps judges frame, then overlap, and then leaves its outputs alone",
+TEST_CASE("C API: curve_jumps judges frame, then overlap, and then leaves its outputs alone",
           "[capi][diagnostics][errors]") {
   for (const Variant& variant : variants()) {
     CAPTURE(variant.name);
@@ -54,7 +54,7 @@ TEST_CASE("C API: knot_jumps judges frame, then overlap, and then leaves its out
   }
 }
 
-TEST_CASE("C API: every output of knot_jumps and peak_rates may be NULL and the others are the same",
+TEST_CASE("C API: every output of curve_jumps and curve_peak_rates may be NULL and the others are the same",
           "[capi][diagnostics]") {
   for (const Variant& variant : variants()) {
     CAPTURE(variant.name);

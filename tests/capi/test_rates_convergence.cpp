@@ -60,7 +60,7 @@ TEST_CASE("C API: ROTATION_SPLINE converges on random orientations at intervals 
   CHECK(worst <= 1e-12);
 }
 
-TEST_CASE("C API: residual is the largest jump of alpha that knot_jumps finds", "[capi][rates][rotation_spline]") {
+TEST_CASE("C API: residual is the largest jump of alpha that curve_jumps finds", "[capi][rates][rotation_spline]") {
   test::Random random(29);
   for (int round = 0; round < 50; ++round) {
     const test::Keys walk = test::random_walk(random, 12, 3.0, 0.2, 2.0);
