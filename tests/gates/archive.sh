@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # archive.sh qtraj.h libqtraj.a: visible from outside are the functions of the header; what members share beside them is
-# hidden and in our namespace; no weak symbol or section group is left that the linker could exchange for a copy of the
+# hidden and has a prefix that no program uses; no weak symbol or section group is left that the linker could exchange for a copy of the
 # user's, so nothing made of Eigen is shared; no constructors run before main; no C++ runtime.
 set -euo pipefail
 export LC_ALL=C
@@ -15,8 +15,8 @@ fail=0
 report() { echo "$1:"; echo "$2"; fail=1; }
 weak=$(grep '^WEAK' <<<"$defined" || true)
 [ -z "$weak" ] || report "weak symbols" "$weak"
-foreign=$(grep ' HIDDEN ' <<<"$defined" | c++filt | grep -Ev '^GLOBAL HIDDEN qtraj::' || true)
-[ -z "$foreign" ] || report "hidden symbols that are not in our namespace" "$foreign"
+foreign=$(grep ' HIDDEN ' <<<"$defined" | grep -v '^GLOBAL HIDDEN qtraj_internal_' || true)
+[ -z "$foreign" ] || report "hidden symbols without the prefix" "$foreign"
 runtime=$(nm --undefined-only --format=posix "$2" | awk 'NF > 1 {print $1}' |
   grep -E '^(_Zn|_Zd|_ZSt|_ZNSt|_ZTV|__cxa|__gxx|_Unwind)' || true)
 [ -z "$runtime" ] || report "needs a C++ runtime" "$runtime"

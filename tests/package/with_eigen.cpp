@@ -1,11 +1,16 @@
 // A program with its own Eigen, with vectors and exceptions and without optimisation, beside the library's copy in
-// libqtraj.a: both must keep working.
+// libqtraj.a, and a namespace of the library's name with a function that the library has too: all must keep working.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <iostream>
 
 #include "qtraj.h"
+
+namespace qtraj {
+// inline, so that a symbol of the library with this name would replace it in silence
+inline double atan2(double, double) { return 42; }
+}  // namespace qtraj
 
 int main() {
   const Eigen::Quaterniond a(0.5, 0.5, -0.5, 0.5);
@@ -30,5 +35,9 @@ int main() {
     }
   }
   qtraj_destroy(trajectory);
+
+  double angle;
+  if (qtraj_rotation_angle(keys, 1, keys + 4, 1, 1, &angle, nullptr)) return 1;
+  if (std::abs(angle - a.angularDistance(b)) > 1e-15 || qtraj::atan2(1, 1) != 42) return 1;
   std::cout << "qtraj " << qtraj_version() << '\n';
 }
