@@ -1,20 +1,27 @@
 #!/usr/bin/env python3
 """gate.py qtraj_bench: runs the rows that have a target against a peer in the same process, with every kernel of this
 CPU that has targets, and fails where a ratio is below 60 % of its target, or of what results.md has where that is less:
-a regression is seen, noise is not. Limits of growth hold as they are. What fails is measured again, twice.
-Exits with 77, and says so, where no such kernel runs here.
+a regression is seen, noise is not. Limits of growth hold as they are.
+
+A time is the least processor time of interleaved repetitions, as what else the machine does only adds to it. What fails
+is measured again, up to six times, and of both sides the least of all counts: no regression gets away by being repeated.
+Exits with 77, and says so, where no such kernel runs here; also where something is too slow all the time, but others use
+the processors all the time as well: what they take of caches and memory is no fault of ours.
 """
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 from report import AT_LEAST, GROWTH, Process, power, work_text
 
 SHARE = 0.6
-ATTEMPTS = 3
+ATTEMPTS = 6
 IN_PROCESS = ("eigen", "glm", "bytes", "atan2")
 NOT_RUN = 77
+BUSY = 0.25  # processors that others use, on average
 
 
 def reached_ratios():
@@ -35,13 +42,36 @@ def names(row, who):
     return {f"{name}/ours", f"{name}/{who}"}
 
 
-def measured(program, target, filters):
-    with tempfile.NamedTemporaryFile(suffix=".json") as file:
-        subprocess.run([program, f"--target={target}", f"--benchmark_filter=^({'|'.join(sorted(filters))})(/manual_time)?$",
-                        "--benchmark_repetitions=7", "--benchmark_min_time=0.01",
-                        "--benchmark_enable_random_interleaving=true", f"--benchmark_out={file.name}",
-                        "--benchmark_out_format=json"], check=True, stdout=subprocess.DEVNULL)
-        return Process(file.name)
+def seconds_of_others():
+    """Processor seconds since the start that went to others than this process and its children."""
+    try:
+        with open("/proc/stat", encoding="ascii") as file:
+            user, nice, system, _, _, irq, softirq, steal = map(int, file.readline().split()[1:9])
+    except OSError:
+        return 0.0
+    ticks = user + nice + system + irq + softirq + steal
+    return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
+
+
+class Measured:
+    """Least times in ns per sample with one kernel, of all measurements so far."""
+
+    def __init__(self, program, target):
+        self.program, self.target = program, target
+        self.least = {}
+
+    def measure(self, filters):
+        with tempfile.NamedTemporaryFile(suffix=".json") as file:
+            subprocess.run([self.program, f"--target={self.target}",
+                            f"--benchmark_filter=^({'|'.join(sorted(filters))})(/manual_time)?$",
+                            "--benchmark_repetitions=7", "--benchmark_min_time=0.01",
+                            "--benchmark_enable_random_interleaving=true", f"--benchmark_out={file.name}",
+                            "--benchmark_out_format=json"], check=True, stdout=subprocess.DEVNULL)
+            process = Process(file.name, min)
+        for row, times in process.medians.items():
+            for who, time in times.items():
+                self.least[row, who] = min(time, self.least.get((row, who), time))
+        return process
 
 
 def least_ratio(process, row, who):
@@ -49,32 +79,33 @@ def least_ratio(process, row, who):
     return SHARE * min(process.target_ratio(row, who), reached)
 
 
-def ratio_failures(program, target, aimed):
-    process = measured(program, target, set().union(*(names(row, who) for row, who in aimed)))
+def ratio_failures(measured, aimed):
+    process = measured.measure(set().union(*(names(row, who) for row, who in aimed)))
     for row, who in aimed:
-        medians = process.medians[row]
-        ratio, least = medians[who] / medians["ours"], least_ratio(process, row, who)
-        print(f"{target}: {row.work} {row.order} K {row.keys} M {row.samples}: {ratio:.2f} times {who}, gate {least:.2f}")
+        ratio, least = measured.least[row, who] / measured.least[row, "ours"], least_ratio(process, row, who)
+        print(f"{measured.target}: {row.work} {row.order} K {row.keys} M {row.samples}: {ratio:.2f} times {who}, "
+              f"gate {least:.2f}")
         if ratio < least:
             yield row, who
 
 
-def growth_failures(program, target, growths):
+def growth_failures(measured, growths):
     filters = set()
     for _, grown, base, _ in growths:
         filters |= names(grown, "ours") | names(base, "ours")
-    process = measured(program, target, filters)
+    measured.measure(filters)
     for growth in growths:
         text, grown, base, limit = growth
-        ratio = process.medians[grown]["ours"] / process.medians[base]["ours"]
-        print(f"{target}: {text}: {ratio:.2f}, at most {limit}")
+        ratio = measured.least[grown, "ours"] / measured.least[base, "ours"]
+        print(f"{measured.target}: {text}: {ratio:.2f}, at most {limit}")
         if ratio > limit:
             yield growth
 
 
 def still_failing(program, target, check, items):
+    measured = Measured(program, target)
     for _ in range(ATTEMPTS):
-        items = items and list(check(program, target, items))
+        items = items and list(check(measured, items))
     return [f"{target}: {item}" for item in items]
 
 
@@ -87,11 +118,17 @@ def main(program):
     rows = [(row, who) for row, who, *_ in AT_LEAST if who in IN_PROCESS]
     growths = [growth for growth in GROWTH if growth[1].samples]
     failed = []
+    others, start = seconds_of_others(), time.monotonic()
     for target in aimed:
         failed += still_failing(program, target, ratio_failures, rows)
         failed += still_failing(program, target, growth_failures, growths)
     if failed:
-        sys.exit("Too slow:\n" + "\n".join(failed))
+        print("Too slow:\n" + "\n".join(failed))
+        busy = (seconds_of_others() - others) / (time.monotonic() - start)
+        if busy > BUSY:
+            print(f"NOT JUDGED: others used {busy:.2f} processors meanwhile. Repeat it when they are done.")
+            sys.exit(NOT_RUN)
+        sys.exit(1)
 
 
 if __name__ == "__main__":

@@ -48,9 +48,9 @@ NS_PER = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 
 class Process:
-    """One JSON file: medians in ns per sample, by row and by who."""
+    """One JSON file: medians in ns per sample, by row and by who; or another summary of the repetitions."""
 
-    def __init__(self, path):
+    def __init__(self, path, summary=statistics.median):
         with open(path, encoding="utf-8") as file:
             results = json.load(file)
         self.context = results["context"]
@@ -65,7 +65,7 @@ class Process:
         for name, values in sorted(runs.items()):  # interleaved repetitions come in any order
             work, order, memory, keys, samples, who = name.split("/")
             row = Row(work, order, memory, int(keys[2:]), int(samples[2:]))
-            self.medians[row][who] = statistics.median(values)
+            self.medians[row][who] = summary(values)
 
     @staticmethod
     def ns_per_sample(run):

@@ -6,7 +6,7 @@ set -euo pipefail
 copy="$FOLDER/quick start"
 rm -rf "$copy"
 mkdir -p "$copy/tests" "$copy/build/bin"
-for name in CMakeLists.txt capi cmake examples include pkgconfig src; do
+for name in CMakeLists.txt capi examples include pkgconfig src; do
   [ ! -e "$SOURCE/$name" ] || cp -R "$SOURCE/$name" "$copy"
 done
 cp -R "$SOURCE/tests/support" "$copy/tests"
@@ -16,7 +16,7 @@ PATH=$copy/build/bin:$PATH
 fail() { echo "$*"; exit 1; }
 state() { (cd "$copy" && find . -path ./build -prune -o -type f -exec cksum {} +) | sort; }
 before=$(state)
-if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+export QTRAJ_CMAKE_ARGS=-DQTRAJ_TARGETS=scalar  # it is about the script; vector kernels take the compiler longest
 cd /
 for run in first second; do
   said=$("$copy/examples/quickstart.sh" 2>&1) || fail "$said"

@@ -5,14 +5,6 @@
 
 #include "support/curve.hpp"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define QTRAJ_TESTS_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define QTRAJ_TESTS_SANITIZED
-#endif
-#endif
-
 namespace {
 
 using test::Curve;
@@ -21,11 +13,7 @@ using test::Quaternion;
 using test::Random;
 using test::Variant;
 
-#ifdef QTRAJ_TESTS_SANITIZED
-constexpr size_t kFew = 200, kMany = 4000;  // everything takes up to a hundred times as long
-#else
 constexpr size_t kFew = 10000, kMany = 1000000;
-#endif
 
 // The same few orientations again and again, on uneven knots; the last is the first, for closed curves. All are near to
 // each other: LOG_SPLINE closes only curves that do not wind.
@@ -105,17 +93,27 @@ struct Times {
   double ratio() const { return many / few; }
 };
 
-// Least times a key: what disturbs a run only adds to it. Repeated while the ratio is above `enough`, so that one
-// disturbed run does not decide.
+// Least times a key of interleaved repetitions: what disturbs a run, such as other processes' use of the caches and of
+// the memory, only adds to it. They go on while the ratio is above `enough`, until so many are done and so much time is
+// spent that a disturbance of less than seconds is over; of a real fault no repetition makes less.
 Times times_per_key(const Variant& variant, const Input& few, const Input& many, double enough) {
+  constexpr int kLeastRepetitions = 3, kMostRepetitions = 100;
+  constexpr double kPatience = 10.0;  // s of processor time
   const Options options(variant);
   std::vector<double> memory(bytes_for(variant, kMany) / sizeof(double) + 1);
   Times least = {1e300, 1e300};
-  for (int repetition = 0; repetition < 6; ++repetition) {
-    for (int i = 0; i < 10; ++i)
-      least.few = std::min(least.few, construction_time(variant, options, few, memory) / kFew);
-    least.many = std::min(least.many, construction_time(variant, options, many, memory) / kMany);
+  double spent = 0;
+  for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
+    for (int i = 0; i < 10; ++i) {
+      const double time = construction_time(variant, options, few, memory);
+      least.few = std::min(least.few, time / kFew);
+      spent += time;
+    }
+    const double time = construction_time(variant, options, many, memory);
+    least.many = std::min(least.many, time / kMany);
+    spent += time;
     if (least.ratio() <= enough) break;
+    if (repetition + 1 >= kLeastRepetitions && spent > kPatience) break;
   }
   return least;
 }
@@ -136,7 +134,8 @@ std::vector<Variant> ways_to_construct() {
 }  // namespace
 
 TEST_CASE("the time a constructor takes for a key does not grow with the number of keys", "[scaling]") {
-  constexpr double kAllowed = 3.0;
+  // many keys lie in memory, few in the cache, which makes up to 2.6; what grows with the square has 100
+  constexpr double kAllowed = 5.0;
   const Input few(kFew), many(kMany);
   std::printf("\nconstruction: ns a key at %zu keys, at %zu, ratio; bytes a key\n", kFew, kMany);
   for (const Variant& variant : ways_to_construct()) {
