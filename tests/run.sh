@@ -12,24 +12,30 @@ need_packages cmake g++ make ninja-build libeigen3-dev libhwy-dev catch2 pkg-con
 need_clang_format
 use_ccache
 
-times=("packages $SECONDS s")
-timed() {
+parts=("$SECONDS s  packages")
+part() {
   local start=$SECONDS
   "${@:2}"
-  times+=("$1 $((SECONDS - start)) s")
+  parts+=("$((SECONDS - start)) s  $1")
 }
 build() {
   cmake --preset "$1"
   cmake --build --preset "$1" --parallel "$(nproc)"
 }
-# seconds of each label are in its summary
-run_tests() {
-  echo "== $1"
-  ctest --preset "$1" --parallel "$(nproc)" --output-log "build/$1/ctest.log"
-}
+run_tests() { ctest --preset "$1" --parallel "$(nproc)" --output-log "$PWD/build/$1/ctest.log"; }
+# CTest's closing lines, with the seconds of each label
+summary() { sed -n '/^[0-9]*% tests passed/,$p' "build/$1/ctest.log"; }
 
-timed "sanitizers: build" build asan-ubsan
-timed "tests" run_tests asan-ubsan
-timed "as shipped: build" build dev
-# The shipped library comes last, so that its summary closes the output.
-timed "tests" run_tests dev
+for preset in asan-ubsan dev; do
+  echo "== $preset"
+  part "$preset, build" build "$preset"
+  part "$preset, tests" run_tests "$preset"
+done
+
+echo "== asan-ubsan"
+summary asan-ubsan
+echo "== Parts"
+printf '%s\n' "${parts[@]}" "$SECONDS s  all"
+# The shipped library comes last: its summary closes the output.
+echo "== dev"
+summary dev

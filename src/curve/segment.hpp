@@ -1,8 +1,8 @@
 // Segments, one plain record per interval between two knots: builders write them and kernels sample them.
 //
-// Four shapes carry all methods; with two of them in two degrees that makes six kinds. A record holds nothing but numbers: double as builders
-// write it and handles keep it, or the Number that a kernel computes with, such as vectors of the same field of several
-// segments. Kernels include this header: plain data only.
+// Four shapes carry all methods; with two of them in two degrees that makes six kinds. A record holds nothing but
+// numbers: double as builders write it and handles keep it, or the Number that a kernel computes with, such as vectors
+// of the same field of several segments. Kernels include this header: plain data only.
 #pragma once
 
 #include <cstddef>
