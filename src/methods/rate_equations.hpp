@@ -33,7 +33,7 @@ struct RateEquation {
 };
 
 // Working space: the equations, and the elimination's vector and two matrices.
-static_assert(sizeof(RateEquation) == (kRotationSplineWorkspacePerKey - 3 - 2 * 9) * sizeof(double));
+static_assert(sizeof(RateEquation) == (kRotationSplineWorkspacePerKey - 3 - 18) * sizeof(double));
 
 // The equations for the rates and the steps of their solution, with beta weighted by a factor from 0 to 1.
 class RateEquations {
