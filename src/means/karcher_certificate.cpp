@@ -72,11 +72,11 @@ Profile profile_of(const WeightedOrientations& samples, const Quaternion& mean, 
   return profile;
 }
 
-bool rises_all_the_way(const Profile& profile, double slope_at_mean) {
+bool increases_outward(const Profile& profile, double slope_at_mean) {
   for (int k = 1; k <= kSteps; ++k) {
-    const double rise = profile.curvature[k] * profile.s[k - 1];
+    const double slope_gain = profile.curvature[k] * profile.s[k - 1];
     if (!(profile.curvature[k] > 0)) return false;
-    if (profile.far[k] > 0 && !(rise > kPi * profile.far[k] + slope_at_mean)) return false;
+    if (profile.far[k] > 0 && !(slope_gain > kPi * profile.far[k] + slope_at_mean)) return false;
   }
   return true;
 }
@@ -92,7 +92,7 @@ bool is_global_minimum(const WeightedOrientations& samples, const Spectrum& spec
   const double dbar = mean_distance(samples, mean, at_mean.weight);
   if (2.0 * dbar < room) return true;
   const double radius = search_radius(spectrum, mean, at_mean, dbar, samples.epsilon());
-  return rises_all_the_way(profile_of(samples, mean, radius), length(at_mean.logs));
+  return increases_outward(profile_of(samples, mean, radius), length(at_mean.logs));
 }
 
 }  // namespace qtraj
