@@ -31,10 +31,11 @@ bool clash(const Argument& a, const Argument& b) {
 Status check(std::initializer_list<Argument> arguments, const Conditions& conditions) {
   for (const Argument& argument : arguments)
     if (is_missing(argument)) return Status::null;
+  if (!conditions.enough) return Status::too_few;
   if (!conditions.counts_fit) return Status::count;
   for (const Argument& argument : arguments)
     if (!fits_memory(argument)) return Status::size;
-  if (!conditions.options_known) return Status::option;
+  if (!conditions.values_known) return Status::value;
   for (const Argument* a = arguments.begin(); a != arguments.end(); ++a)
     for (const Argument* b = a + 1; b != arguments.end(); ++b)
       if (clash(*a, *b)) return Status::overlap;

@@ -10,15 +10,35 @@
 #include "qtraj.h"
 
 struct qtraj_options {
+  uint64_t tag;
   qtraj::Options core;
   bool on_heap;
 };
 
 struct qtraj_trajectory {
-  qtraj::Trajectory core;
+  qtraj::Trajectory core;  // begins with its tag
 };
 
 namespace qtraj::capi {
+
+// ---- Handles ----
+
+// The first word of options; that of a trajectory is Trajectory::kTag. Both are cleared on destroy.
+constexpr uint64_t kOptionsTag = 0x74706f6a61727471;  // "qtrajopt"
+
+bool is_aligned(const void* memory);  // to 8 bytes
+
+// Whether the memory begins with a tag: what else a wrong handle points to is not looked at.
+template <class Handle>
+Status check_handle(const Handle* handle, uint64_t tag) {
+  if (!handle) return Status::null;
+  return is_aligned(handle) && *reinterpret_cast<const uint64_t*>(handle) == tag ? Status::ok : Status::handle;
+}
+inline Status check_handle(const qtraj_trajectory* trajectory) { return check_handle(trajectory, Trajectory::kTag); }
+inline Status check_handle(const qtraj_options* options) { return check_handle(options, kOptionsTag); }
+
+// Clears the tag for good: a plain store before free() is one that compilers drop.
+inline void clear_tag(void* handle) { *static_cast<volatile uint64_t*>(handle) = 0; }
 
 // The core's statuses are those of qtraj.h.
 inline qtraj_status to_c(Status status) { return static_cast<qtraj_status>(status); }
@@ -68,12 +88,16 @@ inline bool is_one_or(size_t count, size_t own_count) { return own_count == 1 ||
 
 // What a call needs besides its arrays.
 struct Conditions {
-  bool counts_fit = true;     // else COUNT
-  bool options_known = true;  // else OPTION
+  bool counts_fit = true;    // else COUNT
+  bool values_known = true;  // else VALUE
+  bool enough = true;        // else TOO_FEW
 };
+inline Conditions at_least(size_t least, size_t count, bool values_known = true) {
+  return {true, values_known, count >= least};
+}
 
-// NULL, COUNT, SIZE, OPTION, OVERLAP, in this order. NULL is allowed without rows and where it is optional. An output
-// may be an input with the same rows; inputs may overlap.
+// NULL, TOO_FEW, COUNT, SIZE, VALUE, OVERLAP, in this order. NULL is allowed without rows and where it is optional. An
+// output may be an input with the same rows; inputs may overlap.
 Status check(std::initializer_list<Argument> arguments, const Conditions& conditions);
 
 // Checks the arguments and, where they are good, calls the core.
@@ -96,8 +120,6 @@ bool overlap(const Bytes& a, const Bytes& b);
 
 // Bytes of count elements; false where they would exceed PTRDIFF_MAX.
 bool array_bytes(size_t count, size_t element_bytes, size_t& bytes);
-
-bool is_aligned(const void* memory);  // to 8 bytes
 
 // malloc and free that leave errno alone.
 void* allocate(size_t bytes);

@@ -24,14 +24,15 @@ Request request(const double* times, const Real* q_wb, int32_t frame, const Real
           bad_index};
 }
 
-// NULL, COUNT and SIZE; *out and *bad_index get their values for an error.
-Status begin(const Request& request) {
+// NULL, HANDLE, TOO_FEW and SIZE; *out and *bad_index get their values for an error.
+Status begin(const Request& request, Status handle = Status::ok) {
   if (request.bad_index) *request.bad_index = kNoIndex;
   if (!request.out) return Status::null;
   *request.out = nullptr;
   const KeyframeInput& input = request.input;
   if (input.count > 0 && (!input.times || !input.q_wb.data)) return Status::null;
-  if (input.count < 2) return Status::count;
+  if (handle != Status::ok) return handle;
+  if (input.count < 2) return Status::too_few;
   size_t bytes;
   return capi::array_bytes(input.count, 4 * sizeof(double), bytes) ? Status::ok : Status::size;
 }
@@ -65,20 +66,19 @@ qtraj_status create_with_method(int32_t method, const Request& request) {
   const Status status = begin(request);
   if (status != Status::ok) return capi::to_c(status);
   Options options;
-  if (Options::make(static_cast<Method>(method), options) != Status::ok) return QTRAJ_E_OPTION;
+  if (Options::make(static_cast<Method>(method), options) != Status::ok) return QTRAJ_E_VALUE;
   return create_on_heap(options, request);
 }
 
 qtraj_status create_with_options(const qtraj_options* options, const Request& request) {
-  const Status status = begin(request);
-  if (!options) return QTRAJ_E_NULL;
+  const Status status = begin(request, capi::check_handle(options));
   if (status != Status::ok) return capi::to_c(status);
   return create_on_heap(options->core, request);
 }
 
 qtraj_status create_with_given_rates(const qtraj_options* options, const Request& request) {
-  const Status status = begin(request);
-  if (!options || (request.input.count > 0 && !request.input.omega.data)) return QTRAJ_E_NULL;
+  const bool omega_missing = request.input.count > 0 && !request.input.omega.data;
+  const Status status = begin(request, omega_missing ? Status::null : capi::check_handle(options));
   return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
 }
 
@@ -92,8 +92,7 @@ bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, con
 }
 
 qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* options, const Request& request) {
-  const Status status = begin(request);
-  if (!memory || !options) return QTRAJ_E_NULL;
+  const Status status = begin(request, memory ? capi::check_handle(options) : Status::null);
   if (status != Status::ok) return capi::to_c(status);
   TrajectorySize size;
   if (!trajectory_size(options->core, request.input.count, size)) return QTRAJ_E_SIZE;
@@ -147,8 +146,9 @@ qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t f
 }
 
 qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes) {
-  if (!options || !bytes) return QTRAJ_E_NULL;
-  if (count < 2) return QTRAJ_E_COUNT;
+  const Status handle = bytes ? capi::check_handle(options) : Status::null;
+  if (handle != Status::ok) return capi::to_c(handle);
+  if (count < 2) return QTRAJ_E_TOO_FEW;
   TrajectorySize size;
   if (!trajectory_size(options->core, count, size)) return QTRAJ_E_SIZE;
   *bytes = size.handle + size.workspace;
@@ -168,7 +168,10 @@ qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* opt
 }
 
 void qtraj_destroy(qtraj_trajectory* trajectory) {
-  if (trajectory && trajectory->core.on_heap) capi::release(trajectory);
+  if (capi::check_handle(trajectory) != Status::ok) return;
+  const bool on_heap = trajectory->core.on_heap;
+  capi::clear_tag(trajectory);
+  if (on_heap) capi::release(trajectory);
 }
 
 }  // extern "C"

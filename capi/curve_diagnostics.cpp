@@ -12,7 +12,8 @@ void write(double value, double* out) {
 
 // One number of a trajectory; the output is left alone on an error.
 qtraj_status scalar(const qtraj_trajectory* trajectory, double* out, Outcome (*compute)(const Trajectory&, double&)) {
-  if (!trajectory || !out) return QTRAJ_E_NULL;
+  const Status handle = out ? capi::check_handle(trajectory) : Status::null;
+  if (handle != Status::ok) return to_c(handle);
   return to_c(compute(trajectory->core, *out).status);
 }
 
@@ -21,7 +22,8 @@ qtraj_status scalar(const qtraj_trajectory* trajectory, double* out, Outcome (*c
 extern "C" {
 
 qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time) {
-  if (!trajectory || !norm) return QTRAJ_E_NULL;
+  const Status handle = norm ? capi::check_handle(trajectory) : Status::null;
+  if (handle != Status::ok) return to_c(handle);
   const LeastNorm least = least_norm(trajectory->core);
   *norm = least.norm;
   write(least.time, time);
@@ -30,8 +32,9 @@ qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* 
 
 qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
                                double* alpha_jump) {
-  if (!trajectory) return QTRAJ_E_NULL;
-  if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_OPTION;
+  const Status handle = capi::check_handle(trajectory);
+  if (handle != Status::ok) return to_c(handle);
+  if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_VALUE;
   const size_t bytes = 3 * trajectory->core.key_count * sizeof(double);
   if (capi::overlap({omega_jump, bytes}, {alpha_jump, bytes})) return QTRAJ_E_OVERLAP;
   return to_c(curve_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
@@ -39,7 +42,8 @@ qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame
 
 qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak, double* omega_time,
                                     double* alpha_peak, double* alpha_time) {
-  if (!trajectory) return QTRAJ_E_NULL;
+  const Status handle = capi::check_handle(trajectory);
+  if (handle != Status::ok) return to_c(handle);
   Peak omega = {}, alpha = {};
   Outcome outcome;
   if (omega_peak || omega_time) outcome = peak_omega(trajectory->core, omega);

@@ -18,8 +18,8 @@ qtraj_status mean_eigen(const Real* q, const Real* weights, size_t count, Real* 
                         size_t* bad_index) {
   const WeightedOrientations samples = {input<4>(q, count), input<1>(weights, count), count};
   const Output<4> out = output<4>(mean_out, rows_of(1, count));
-  return call({samples.q, optional(samples.weights), out, scalar_result(eigengap, count)}, {count >= 1}, bad_index,
-              [&] {
+  return call({samples.q, optional(samples.weights), out, scalar_result(eigengap, count)}, at_least(1, count),
+              bad_index, [&] {
                 const EigenMean mean = qtraj::mean_eigen(samples);
                 write_row(out, 0, mean.q);
                 if (eigengap) *eigengap = mean.eigengap;
@@ -34,7 +34,7 @@ qtraj_status mean_karcher(const Real* q, const Real* weights, size_t count, cons
   const Output<4> out = output<4>(mean_out, rows_of(1, count));
   return call({samples.q, optional(samples.weights), out, distinct(scalar_result(iterations, count)),
                scalar_result(residual, count)},
-              {count >= 1, settings.is_valid()}, bad_index, [&] {
+              at_least(1, count, settings.is_valid()), bad_index, [&] {
                 const KarcherMean mean = qtraj::mean_karcher(samples, settings);
                 write_row(out, 0, mean.q);
                 if (iterations) *iterations = mean.iterations;

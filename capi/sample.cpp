@@ -28,13 +28,15 @@ template <class Real>
 Status check_arrays(const Call<Real>& call, bool times_missing) {
   const SampleOutputs<Real>& outputs = call.outputs;
   const bool no_output = !outputs.q && !outputs.omega && !outputs.alpha;
-  if (!call.trajectory || (call.count > 0 && (times_missing || no_output))) return Status::null;
+  if (call.count > 0 && (times_missing || no_output)) return Status::null;
+  const Status handle = capi::check_handle(call.trajectory);
+  if (handle != Status::ok) return handle;
   size_t time_bytes, q_bytes, rate_bytes;
   if (!capi::array_bytes(call.count, sizeof(double), time_bytes) ||
       !capi::array_bytes(call.count, 4 * sizeof(Real), q_bytes) ||
       !capi::array_bytes(call.count, 3 * sizeof(Real), rate_bytes))
     return Status::size;
-  if (!is_known(outputs.frame)) return Status::option;
+  if (!is_known(outputs.frame)) return Status::value;
   const capi::Bytes arrays[] = {
       {call.times.array, time_bytes}, {outputs.q, q_bytes}, {outputs.omega, rate_bytes}, {outputs.alpha, rate_bytes}};
   for (size_t a = 0; a < 4; ++a)
@@ -56,8 +58,10 @@ qtraj_status sample(const Call<Real>& call, bool times_missing, size_t* bad_inde
 template <class Real>
 qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                        const SampleOutputs<Real>& outputs) {
-  if (!trajectory || (!outputs.q && !outputs.omega && !outputs.alpha)) return QTRAJ_E_NULL;
-  if (!is_known(outputs.frame)) return QTRAJ_E_OPTION;
+  const bool no_output = !outputs.q && !outputs.omega && !outputs.alpha;
+  const Status handle = no_output ? Status::null : capi::check_handle(trajectory);
+  if (handle != Status::ok) return capi::to_c(handle);
+  if (!is_known(outputs.frame)) return QTRAJ_E_VALUE;
   if (outputs.omega || outputs.alpha) {
     const capi::Bytes q = {outputs.q, 4 * sizeof(Real)}, omega = {outputs.omega, 3 * sizeof(Real)},
                       alpha = {outputs.alpha, 3 * sizeof(Real)};

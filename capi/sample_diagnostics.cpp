@@ -21,7 +21,7 @@ qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const doub
   const Samples samples = samples_of(times, q_wb, count);
   const Output<1> t_mid = output<1>(t_mid_out, intervals);
   const Output<3> omega = output<3>(omega_out, intervals);
-  return call({samples.times, samples.q_wb, optional(t_mid), omega}, {count >= 2, is_known(in)}, bad_index,
+  return call({samples.times, samples.q_wb, optional(t_mid), omega}, at_least(2, count, is_known(in)), bad_index,
               [&] { return estimate_omega(samples, in, t_mid, omega); });
 }
 
@@ -29,7 +29,7 @@ qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const dou
                                    size_t* bad_index) {
   const Frame in = static_cast<Frame>(frame);
   const Samples samples = samples_of(times, q_wb, count);
-  return call({samples.times, samples.q_wb, output<1>(energy, 1)}, {count >= 3, is_known(in)}, bad_index,
+  return call({samples.times, samples.q_wb, output<1>(energy, 1)}, at_least(3, count, is_known(in)), bad_index,
               [&] { return estimate_energy(samples, in, *energy); });
 }
 
@@ -39,7 +39,7 @@ qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const doub
   const Samples samples = samples_of(times, q_wb, count);
   const Input<1> knot_times = input<1>(knots, knot_count);
   const Output<3> jumps = output<3>(jump_out, knot_count);
-  return call({samples.times, samples.q_wb, knot_times, jumps}, {count >= 2, is_known(in)}, bad_index,
+  return call({samples.times, samples.q_wb, knot_times, jumps}, at_least(2, count, is_known(in)), bad_index,
               [&] { return estimate_jumps(samples, knots, knot_count, in, jumps); });
 }
 
@@ -51,7 +51,7 @@ qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q,
   // sample times are read for every row
   return call({keys.times, keys.q_wb, distinct(samples.times), samples.q_wb, error,
                optional(distinct(result(index_out, key_count)))},
-              {count >= 1 || key_count == 0}, bad_index,
+              at_least(key_count == 0 ? 0 : 1, count), bad_index,
               [&] { return keyframe_errors(keys, samples, error, index_out); });
 }
 

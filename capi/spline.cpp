@@ -24,7 +24,7 @@ qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, 
                      rows_of_dim(y_out, query_count, dim, true),
                      // no array of the caller, but its size is judged with theirs
                      optional(capi::Argument(nullptr, doubles, 1, sizeof(double), false))},
-                    {count >= 2, are_spline_ends(start_end, end_end)}, bad_index, [&]() -> Outcome {
+                    capi::at_least(2, count, are_spline_ends(start_end, end_end)), bad_index, [&]() -> Outcome {
                       auto* memory = static_cast<double*>(capi::allocate(doubles * sizeof(double)));
                       if (!memory) return {Status::no_memory, kNoIndex};
                       const Outcome outcome = sample_spline_curve({x, y, count, dim}, start_end, end_end, queries,

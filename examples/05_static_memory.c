@@ -53,7 +53,7 @@ int main(void) {
 /* Prints, in this folder:
  *
  *   $ ./05_static_memory
- *   half the memory: memory is too small or not aligned to 8 bytes
+ *   half the memory: memory too small or not aligned to 8 bytes: ask qtraj_init_size
  *   0.0 s  0.988 -0.011 0.130  0.086
  *   1.0 s  0.883 -0.050 0.102  0.455
  *   2.0 s  0.736 -0.130 0.150  0.647

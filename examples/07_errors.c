@@ -12,27 +12,16 @@
 
 /* What kind of mistake it is decides who can do something about it. */
 static const char* blame(qtraj_status status) {
-  switch (status) {
-    case QTRAJ_OK:
+  if (status == QTRAJ_E_NO_MEMORY) return "the machine";
+  switch (qtraj_status_class(status)) {
+    case QTRAJ_CLASS_DONE:
       return "nobody";
-    case QTRAJ_E_NULL:
-    case QTRAJ_E_COUNT:
-    case QTRAJ_E_SIZE:
-    case QTRAJ_E_OPTION:
-    case QTRAJ_E_BUFFER:
-    case QTRAJ_E_OVERLAP:
+    case QTRAJ_CLASS_REFUSED:
       return "the caller"; /* nothing was written */
-    case QTRAJ_E_NOT_FINITE:
-    case QTRAJ_E_ZERO_NORM:
-    case QTRAJ_E_TIME_ORDER:
-    case QTRAJ_E_TIME_RANGE:
-    case QTRAJ_E_NEGATIVE_WEIGHT:
-    case QTRAJ_E_NOT_CLOSED:
-    case QTRAJ_E_NOT_ROTATION:
-    case QTRAJ_E_AMBIGUOUS:
+    case QTRAJ_CLASS_DATA:
       return "the data"; /* bad_index names the element */
-    case QTRAJ_E_NO_MEMORY:
-      return "the machine";
+    case QTRAJ_CLASS_ONE_OF_SEVERAL:
+      return "nobody: another answer is as right";
     default:
       return "the library"; /* QTRAJ_E_INTERNAL, or a status newer than this program */
   }
@@ -112,21 +101,21 @@ int main(int argc, char** argv) {
 /* Prints, in this folder:
  *
  *   $ ./07_errors data/faulty_keys.csv
- *   data/faulty_keys.csv:14: times do not increase strictly, or by too small a step
- *   data/faulty_keys.csv:15: NaN or infinity in the input, or a result that overflows
- *   data/faulty_keys.csv:16: quaternion of norm 0, or weights that are all 0
- *   data/faulty_keys.csv:18: times do not increase strictly, or by too small a step
- *   data/faulty_keys.csv:20: NaN or infinity in the input, or a result that overflows
+ *   data/faulty_keys.csv:14: time does not come after the one before: sort, leave repeats out
+ *   data/faulty_keys.csv:15: NaN or infinity, or a result that overflows: leave this element out
+ *   data/faulty_keys.csv:16: quaternion of norm 0, or weights that are all 0: leave this element out
+ *   data/faulty_keys.csv:18: time does not come after the one before: sort, leave repeats out
+ *   data/faulty_keys.csv:20: NaN or infinity, or a result that overflows: leave this element out
  *   15 keys used
- *   sample 1: time outside the knots, or a span of knots that overflows
+ *   sample 1: time outside the knots: stay inside or set an extrapolation
  *     at  0.5 s: an orientation
  *     at -1.0 s: nothing
  *     at  nan s: nothing
  *     at  1.5 s: an orientation
- *   one key                  blames the caller  too few elements, or counts that do not belong together
- *   no keys                  blames the caller  a required pointer is NULL
- *   no method                blames the caller  unknown constant, or a setting, rates or limit that does not fit
- *   tangents for SLERP       blames the caller  unknown constant, or a setting, rates or limit that does not fit
- *   output over the input    blames the caller  an output overlaps another array
- *   an open curve, repeated  blames the data    periodic, but the last key does not return to the first
+ *   one key                  blames the caller  too few elements: pass 2 keys, 1 sample of a mean, or more
+ *   no keys                  blames the caller  a required pointer is NULL: pass the array, or a count of 0
+ *   no method                blames the caller  not a constant of this family, or a value out of its range: check it
+ *   tangents for SLERP       blames the caller  the method does not have this setting: leave it out
+ *   output over the input    blames the caller  an output overlaps another array: give it an array of its own
+ *   an open curve, repeated  blames the data    the last key is not the first: append it, set a period or a closure
  */

@@ -89,11 +89,11 @@ int main(void) {
  *     sun and horizon  weight 1.00  off by 1.51 degrees
  *     magnetometer     weight 0.11  off by 4.94 degrees
  *   half a turn apart, weights 1 and 1:
- *     eigen mean    more than one answer is equally right
- *     Karcher mean  more than one answer is equally right
+ *     eigen mean    more than one answer is equally right: see the rule of the function
+ *     Karcher mean  more than one answer is equally right: see the rule of the function
  *                   this one 90.0 and 90.0 degrees from the readings
  *   half a turn apart, weights 2 and 1:
  *     eigen mean    1.000 0.000 0.000 0.000  success
- *     Karcher mean  more than one answer is equally right
+ *     Karcher mean  more than one answer is equally right: see the rule of the function
  *                   this one 60.0 and 120.0 degrees from the readings
  */

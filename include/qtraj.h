@@ -10,11 +10,12 @@
  *   are one orientation. omega_world = 2 q' q^-1, omega_body = 2 q^-1 q'; alpha is the derivative of omega in the same
  *   frame. Radians, seconds. Arrays are contiguous: [count][4] q, [count][3] vectors, [count][9] row-major matrices.
  * @par Results
- *   The status is the contract. Argument errors (NULL, COUNT, SIZE, OPTION, BUFFER, OVERLAP) are judged first, in this
- *   order, and NO_MEMORY after them: data outputs are untouched, "nothing is written". Array functions process every
- *   row: a row at fault becomes NaN, the others are right, the status is that of the first row at fault. At one row
- *   NOT_FINITE comes first, then ZERO_NORM, then the others. Under AMBIGUOUS the row holds one valid answer, chosen by
- *   the documented rule.
+ *   The status is the contract. Mistakes of the call (NULL, HANDLE, TOO_FEW, COUNT, SIZE, VALUE, SETTING,
+ *   RATES_MISSING, RATES_UNWANTED, BUFFER, OVERLAP) are judged first, in this order, and NO_MEMORY after them: data
+ *   outputs are untouched, "nothing is written". Array functions process every row: a row at fault becomes NaN, the
+ *   others are right, the status is that of the first row at fault. At one row NOT_FINITE comes first, then ZERO_NORM,
+ *   then the others. Under AMBIGUOUS the row holds one valid answer, chosen by the documented rule. Compilers warn
+ *   where a status is ignored, unless it is cast to void or QTRAJ_NODISCARD is defined as nothing.
  * @par bad_index
  *   Receives the index of the first element at fault, else SIZE_MAX; it may be NULL. Every call that has it writes it,
  *   under argument errors too.
@@ -22,7 +23,7 @@
  *   They write NULL to *out on every error, AMBIGUOUS included, and leak nothing.
  * @par Counts
  *   count 0 is OK with NULL arrays, except where a function states a minimum, such as 2 keys or 1 sample of a mean:
- *   then COUNT. An input with a count of its own has count rows, or 1 row that serves all.
+ *   then TOO_FEW. An input with a count of its own has count rows, or 1 row that serves all.
  * @par Memory
  *   The caller owns every array. Inputs are copied or only read during the call; nothing is borrowed. Pointers must not
  *   be NULL where the comment of the function does not allow it. An output may be the same array as an input of the
@@ -32,7 +33,9 @@
  *   may sample it. Options belong to one thread at a time. Rounding mode, FP traps, errno and locale are never
  *   changed; only FE_INEXACT and FE_UNDERFLOW can be raised.
  * @par Constants
- *   Enumerators are passed as int32_t. Values never change meaning; new ones are appended.
+ *   Enumerators are passed as int32_t. Values never change meaning; new ones are appended. No two families of constants
+ *   that are passed share a value, so that an argument in the place of another is QTRAJ_E_VALUE; 0 is the default where
+ *   a family has one, and no value elsewhere.
  * @par Topics
  *   @ref qtraj-constants, @ref qtraj-library, @ref qtraj-options, @ref qtraj-construction, @ref qtraj-sampling,
  *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-pairs, @ref qtraj-keys, @ref qtraj-algebra,
@@ -67,6 +70,27 @@
 #define QTRAJ_API
 #endif
 
+/** @cond */
+/* Makes compilers warn where a status is ignored; a cast to void says that it is on purpose. Empty where the compiler
+ * has no such attribute for types; define it as nothing before the header to be without the warning. */
+#ifndef QTRAJ_NODISCARD
+#if (defined(__cplusplus) && __cplusplus >= 201703L) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202000L)
+#define QTRAJ_NODISCARD [[nodiscard]]
+#elif defined(__clang__)
+#define QTRAJ_NODISCARD __attribute__((__warn_unused_result__))
+#elif defined(__GNUC__) && __GNUC__ >= 10 && (!defined(__cplusplus) || __cplusplus >= 201103L)
+#define QTRAJ_NODISCARD [[nodiscard]]
+#else
+#define QTRAJ_NODISCARD
+#endif
+#endif
+#if defined(__GNUC__)
+#define QTRAJ_EXTENSION __extension__ /* keeps -pedantic silent about an attribute that the standard has not yet */
+#else
+#define QTRAJ_EXTENSION
+#endif
+/** @endcond */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -77,60 +101,89 @@ extern "C" {
  * Statuses, methods and settings, and the two handles.
  * @{ */
 
-/** How a call ended: what it means, and what to do. qtraj_status_text() gives one line of it. */
-typedef enum qtraj_status {
+/** How a call ended: what it means, and what to do. qtraj_status_text() gives one line of it, qtraj_status_class() what
+ * kind of answer it is. From 1 on: the call was refused; from 21 on: data at fault; from 41 on: one answer of several.
+ */
+QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   /** Done. */
   QTRAJ_OK = 0,
   /** A pointer that must be there is NULL: pass it, or a count of 0 where there is nothing to pass. */
   QTRAJ_E_NULL = 1,
-  /** Fewer elements than the function takes (such as 2 keys, or 1 sample of a mean), or counts that do not belong
-   * together: an input's own count is 1 or count. */
-  QTRAJ_E_COUNT = 2,
+  /** A handle that is none of its kind: another object, one that was destroyed, or memory that is not aligned to 8
+   * bytes. Pass what the constructor gave. */
+  QTRAJ_E_HANDLE = 2,
+  /** Fewer elements than the function takes, such as 2 keys or 1 sample of a mean: look at count. */
+  QTRAJ_E_TOO_FEW = 3,
+  /** Counts that do not belong together: an input's own count is 1 or count. */
+  QTRAJ_E_COUNT = 4,
   /** An array would be larger than PTRDIFF_MAX bytes: look for a count that was negative, or never set. */
-  QTRAJ_E_SIZE = 3,
-  /** An unknown constant; a setting or rates that the method does not have, or rates that it needs and did not get;
-   * SQUAD: a given rate too fast for its interval; a tolerance or a limit that is none: compare the arguments with the
-   * comments of the function and of its constants. */
-  QTRAJ_E_OPTION = 4,
+  QTRAJ_E_SIZE = 5,
+  /** A constant that is not one of its family, or one of two ends PERIODIC; a tolerance, a limit, an angle or a number
+   * of seconds that is none: compare the argument with the comment of the function. */
+  QTRAJ_E_VALUE = 6,
+  /** A setting that the method does not have, such as tangents of a SLERP: leave it out, or choose another method. */
+  QTRAJ_E_SETTING = 7,
+  /** Rates that the method or the setting needs are missing: pass them to qtraj_create_with_rates() or qtraj_init(),
+   * those of GIVEN ends to qtraj_options_set_end_rates(). */
+  QTRAJ_E_RATES_MISSING = 8,
+  /** Rates that the method or the setting does not use: pass NULL, or choose a method that takes rates. */
+  QTRAJ_E_RATES_UNWANTED = 9,
   /** Memory of the caller too small, or not aligned to 8 bytes: QTRAJ_OPTIONS_BYTES and qtraj_init_size() tell how much
    * is needed. */
-  QTRAJ_E_BUFFER = 5,
+  QTRAJ_E_BUFFER = 10,
   /** An output overlaps another array where that is not allowed: give it an array of its own. */
-  QTRAJ_E_OVERLAP = 6,
+  QTRAJ_E_OVERLAP = 11,
   /** Allocation failed: free some, or build in memory of your own with qtraj_options_init() and qtraj_init(). */
-  QTRAJ_E_NO_MEMORY = 7,
+  QTRAJ_E_NO_MEMORY = 12,
   /** NaN or infinity in the input, or a result that overflows: mend or leave out the element at bad_index. */
-  QTRAJ_E_NOT_FINITE = 8,
+  QTRAJ_E_NOT_FINITE = 21,
   /** A quaternion of norm 0; weights that are all 0 (without an index); an nlerp through 0: leave the element out. */
-  QTRAJ_E_ZERO_NORM = 9,
+  QTRAJ_E_ZERO_NORM = 22,
   /** Times that do not increase, or by less than about 7.5e-155 s, with the index of the later one: sort them and leave
    * repeated ones out. */
-  QTRAJ_E_TIME_ORDER = 10,
+  QTRAJ_E_TIME_ORDER = 23,
   /** A time outside the knots under QTRAJ_EXTRAPOLATE_ERROR, a query outside a spline, a knot without samples on both
-   * sides: stay inside, or choose an extrapolation. Of knots: their span overflows. */
-  QTRAJ_E_TIME_RANGE = 11,
+   * sides: stay inside, or choose an extrapolation. */
+  QTRAJ_E_TIME_RANGE = 24,
+  /** The span from the first time to this one overflows: look for a time that was never set, or in another unit. */
+  QTRAJ_E_TIME_SPAN = 25,
+  /** A time inside an interval that is longer than qtraj_options_set_longest_gap() allows: there are no data there. */
+  QTRAJ_E_GAP = 26,
   /** A weight below 0: make it 0 or more. */
-  QTRAJ_E_NEGATIVE_WEIGHT = 12,
-  /** PERIODIC, but first and last key differ by more than 1e-6 rad (cubic_spline: y by 1e-6 of the largest), or the
-   * keys of a LOG_SPLINE have wound round: append the first key, or choose other ends or another method. */
-  QTRAJ_E_NOT_CLOSED = 13,
-  /** A matrix more than 1e-3 away from every rotation, or with a negative determinant: look for a scale or a reflection
-   * in it. */
-  QTRAJ_E_NOT_ROTATION = 14,
-  /** More than one answer is equally right: an axis, a way round, a mean. Arrays hold one of them, by the rule that the
-   * function states; a constructor leaves no trajectory. */
-  QTRAJ_E_AMBIGUOUS = 15,
+  QTRAJ_E_NEGATIVE_WEIGHT = 27,
+  /** A curve that must close does not, last and first key differ by more than the closure angle (cubic_spline: y by
+   * 1e-6 of the largest), or the keys of a LOG_SPLINE have wound round: append the first key, set a period or a larger
+   * closure angle, or choose other ends. */
+  QTRAJ_E_NOT_CLOSED = 28,
+  /** A matrix farther from every rotation than the limit, or with a negative determinant: look for a scale or a
+   * reflection in it. */
+  QTRAJ_E_NOT_ROTATION = 29,
+  /** A given rate is too fast for an interval beside its key: look for another unit, degrees or milliseconds. */
+  QTRAJ_E_RATE_TOO_FAST = 30,
   /** ROTATION_SPLINE found no curve: use another method. A Karcher mean reached max_iterations: raise them. An integral
    * or a peak takes too many pieces: look at qtraj_curve_least_norm(). */
-  QTRAJ_E_NO_CONVERGENCE = 16,
+  QTRAJ_E_NO_CONVERGENCE = 31,
+  /** More than one answer is equally right: an axis, a way round, a mean. Arrays hold one of them, by the rule that the
+   * function states; a constructor leaves no trajectory. */
+  QTRAJ_E_AMBIGUOUS = 41,
   /** A defect of the library: please report it. */
-  QTRAJ_E_INTERNAL = 17,
+  QTRAJ_E_INTERNAL = 51,
   /** Never returned: keeps the type a signed 32-bit integer. */
   QTRAJ_STATUS_INT32 = -0x7fffffff - 1
 } qtraj_status;
 
+/** What kind of answer a status is: qtraj_status_class(). */
+enum qtraj_class_value {
+  QTRAJ_CLASS_DONE = 901,           /**< all results are there and right */
+  QTRAJ_CLASS_REFUSED = 902,        /**< a mistake of the call, or no memory: no data output is written */
+  QTRAJ_CLASS_DATA = 903,           /**< data refused, or rows at fault: those are NaN, all others right */
+  QTRAJ_CLASS_ONE_OF_SEVERAL = 904, /**< more than one answer is right; arrays hold one of them */
+  QTRAJ_CLASS_DEFECT = 905          /**< a defect of the library, or a number that is no status of it */
+};
+
 /** Methods: how the curve goes from key to key. C0: its rate jumps at keys; C1: the rate is continuous; C2: so is the
- * acceleration. 0 is no method and no frame: a forgotten argument is QTRAJ_E_OPTION. */
+ * acceleration. No two families of constants share a value: an argument in the wrong place is QTRAJ_E_VALUE, as is 0, a
+ * forgotten one, but in the families that have a default. */
 enum qtraj_method_value {
   /** C0: the shortest turn between two keys, at constant rate; dense recordings, keys that must not be overshot. */
   QTRAJ_SLERP = 1,
@@ -151,45 +204,46 @@ enum qtraj_method_value {
 };
 /** Frame that angular velocities and accelerations are given in. */
 enum qtraj_frame_value {
-  QTRAJ_FRAME_BODY = 1, /**< omega_body = 2 q^-1 q' */
-  QTRAJ_FRAME_WORLD = 2 /**< omega_world = 2 q' q^-1, the body vector turned by q */
+  QTRAJ_FRAME_BODY = 101, /**< omega_body = 2 q^-1 q' */
+  QTRAJ_FRAME_WORLD = 102 /**< omega_world = 2 q' q^-1, the body vector turned by q */
 };
 /** End conditions: what determines the curve at its first and at its last key, of the methods that are named.
  * qtraj_cubic_spline() has NATURAL, NOT_A_KNOT and PERIODIC. */
 enum qtraj_end_value {
-  QTRAJ_END_DEFAULT = 0,    /**< SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
-  QTRAJ_END_CHORD = 1,      /**< rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_NATURAL = 2,    /**< second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
-  QTRAJ_END_NOT_A_KNOT = 3, /**< the last two segments are one cubic: LOG_SPLINE */
-  QTRAJ_END_ESTIMATED = 4,  /**< rate of a polynomial through the end keys: SQUAD (3 keys), ROTATION_SPLINE (4) */
-  QTRAJ_END_GIVEN = 5,      /**< rate from qtraj_options_set_end_rates(): SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_PERIODIC = 6    /**< goes on at the other end, both ends or none: SQUAD, LOG_SPLINE, ROTATION_SPLINE */
+  QTRAJ_END_DEFAULT = 0,      /**< SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
+  QTRAJ_END_CHORD = 201,      /**< rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_NATURAL = 202,    /**< second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
+  QTRAJ_END_NOT_A_KNOT = 203, /**< the last two segments are one cubic: LOG_SPLINE */
+  QTRAJ_END_ESTIMATED = 204,  /**< rate of a polynomial through the end keys: SQUAD (3 keys), ROTATION_SPLINE (4) */
+  QTRAJ_END_GIVEN = 205,      /**< rate from qtraj_options_set_end_rates(): SQUAD, ROTATION_SPLINE */
+  QTRAJ_END_PERIODIC = 206    /**< goes on at the other end, both ends or none: SQUAD, LOG_SPLINE, ROTATION_SPLINE */
 };
 /** SQUAD: the rate of the curve at a key. */
 enum qtraj_tangent_value {
   QTRAJ_TANGENT_DEFAULT = 0,       /**< CATMULL_ROM */
-  QTRAJ_TANGENT_CATMULL_ROM = 1,   /**< mean of the slerp rates before and after, the shorter interval counting more */
-  QTRAJ_TANGENT_MEAN_VELOCITY = 2, /**< plain mean of the two */
-  QTRAJ_TANGENT_GIVEN = 3          /**< omega of qtraj_create_with_rates() or qtraj_init() */
+  QTRAJ_TANGENT_CATMULL_ROM = 301, /**< mean of the slerp rates before and after, the shorter interval counting more */
+  QTRAJ_TANGENT_MEAN_VELOCITY = 302, /**< plain mean of the two */
+  QTRAJ_TANGENT_GIVEN = 303          /**< omega of qtraj_create_with_rates() or qtraj_init() */
 };
 /** LOG_SPLINE: the orientation that rotation vectors start from. The curve is singular one full turn away from it. */
 enum qtraj_reference_value {
   QTRAJ_REFERENCE_DEFAULT = 0, /**< FIRST */
-  QTRAJ_REFERENCE_FIRST = 1,   /**< the first key */
-  QTRAJ_REFERENCE_MEAN = 2,    /**< unweighted eigen mean of the keys */
-  QTRAJ_REFERENCE_GIVEN = 3    /**< q_wb of qtraj_options_set_reference() */
+  QTRAJ_REFERENCE_FIRST = 401, /**< the first key */
+  QTRAJ_REFERENCE_MEAN = 402,  /**< unweighted eigen mean of the keys */
+  QTRAJ_REFERENCE_GIVEN = 403  /**< q_wb of qtraj_options_set_reference() */
 };
 /** What a time before the first or after the last knot means. */
 enum qtraj_extrapolate_value {
-  QTRAJ_EXTRAPOLATE_ERROR = 0,         /**< NaN row, QTRAJ_E_TIME_RANGE; the default */
-  QTRAJ_EXTRAPOLATE_HOLD = 1,          /**< end key, zero rates */
-  QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 2, /**< geodesic with the end rate, zero acceleration */
-  QTRAJ_EXTRAPOLATE_PERIODIC = 3       /**< time wrapped into the knots; both sides or none; the keys must close */
+  QTRAJ_EXTRAPOLATE_DEFAULT = 0,         /**< ERROR */
+  QTRAJ_EXTRAPOLATE_ERROR = 501,         /**< NaN row, QTRAJ_E_TIME_RANGE */
+  QTRAJ_EXTRAPOLATE_HOLD = 502,          /**< end key, zero rates */
+  QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 503, /**< geodesic with the end rate, zero acceleration */
+  QTRAJ_EXTRAPOLATE_PERIODIC = 504       /**< time wrapped into the knots; both sides or none; the keys must close */
 };
 /** Which of the two ways round from a to b an interpolation takes. */
 enum qtraj_path_value {
-  QTRAJ_PATH_SHORTEST = 1, /**< to b or -b, whichever is nearer; half a turn apart, to 4 eps, to b */
-  QTRAJ_PATH_AS_GIVEN = 2  /**< to b, also where that is the longer way round */
+  QTRAJ_PATH_SHORTEST = 601, /**< to b or -b, whichever is nearer; half a turn apart, to 4 eps, to b */
+  QTRAJ_PATH_AS_GIVEN = 602  /**< to b, also where that is the longer way round */
 };
 
 /** Room for an options object in the caller's memory, bytes; holds for every library of the same SONAME. */
@@ -226,6 +280,12 @@ QTRAJ_API int32_t qtraj_version_number(void);
  * @return English text, "unknown status" for a number that is none; borrowed: static text, never NULL */
 QTRAJ_API const char* qtraj_status_text(int32_t status);
 
+/** Kind of answer that a status is.
+ *
+ * @param status  a qtraj_status, or any other number
+ * @return a qtraj_class_value; QTRAJ_CLASS_DEFECT for a number that is no status of this version */
+QTRAJ_API int32_t qtraj_status_class(int32_t status);
+
 /** Kernel that runs here and its arithmetic: which golden hash applies.
  *
  * Samples have the same bits wherever the arithmetic, fused or plain, is the same.
@@ -245,7 +305,7 @@ QTRAJ_API const char* qtraj_target(void);
  *
  * @param method  a qtraj_method_value
  * @param out     receives the options, owned: free them with qtraj_options_destroy(); NULL on every error
- * @return QTRAJ_OK, or QTRAJ_E_NULL (out), QTRAJ_E_OPTION (unknown method), QTRAJ_E_NO_MEMORY: no options */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (out), QTRAJ_E_VALUE (unknown method), QTRAJ_E_NO_MEMORY: no options */
 QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out);
 
 /** New options of a method with its default settings, in the caller's memory; nothing is allocated.
@@ -254,13 +314,13 @@ QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out)
  * @param bytes   QTRAJ_OPTIONS_BYTES or more
  * @param method  a qtraj_method_value
  * @param out     receives the options, which need no qtraj_options_destroy(); NULL on every error
- * @return QTRAJ_OK, or QTRAJ_E_NULL (out, memory), QTRAJ_E_OPTION (unknown method), QTRAJ_E_BUFFER (memory too small or
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (out, memory), QTRAJ_E_VALUE (unknown method), QTRAJ_E_BUFFER (memory too small or
  *   not aligned): no options, memory is untouched */
 QTRAJ_API qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtraj_options** out);
 
-/** Frees options made by qtraj_options_create().
+/** Ends the life of options, and frees those made by qtraj_options_create(). Used after it they are QTRAJ_E_HANDLE.
  *
- * @param options  NULL and options made by qtraj_options_init() are left alone */
+ * @param options  memory of qtraj_options_init() stays the caller's; NULL and what are no options are left alone */
 QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
 
 /** Sets the end conditions at the first and at the last key, of SQUAD, LOG_SPLINE or ROTATION_SPLINE.
@@ -270,8 +330,8 @@ QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
  * @param options  changed
  * @param start    a qtraj_end_value that the method has, at the first key
  * @param end      the same at the last key; QTRAJ_END_PERIODIC is for both ends or none
- * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an end unknown or not of this method, or
- *   one of the two PERIODIC) */
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown end, or one of
+ * the two PERIODIC), QTRAJ_E_SETTING (the method does not have this end) */
 QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end);
 
 /** Sets the rates of the curve at the ends that are QTRAJ_END_GIVEN; call qtraj_options_set_ends() before.
@@ -281,8 +341,8 @@ QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t st
  * @param omega_start  [3], rad/s, at the first key, copied; NULL where that end is not QTRAJ_END_GIVEN
  * @param omega_end    [3], rad/s, at the last key, copied; NULL where that end is not QTRAJ_END_GIVEN
  * @return QTRAJ_OK, or without effect
- *   - QTRAJ_E_NULL: options, or the rate of an end that is GIVEN;
- *   - QTRAJ_E_OPTION: a rate for an end that is not, an unknown frame, a method without END_GIVEN;
+ *   - QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_SETTING (a method without END_GIVEN);
+ *   - QTRAJ_E_RATES_MISSING, QTRAJ_E_RATES_UNWANTED: no rate for an end that is GIVEN, or one for an end that is not;
  *   - QTRAJ_E_NOT_FINITE: a rate */
 QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
                                                    const double* omega_end);
@@ -291,8 +351,8 @@ QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32
  *
  * @param options  changed
  * @param rule     a qtraj_tangent_value; QTRAJ_TANGENT_GIVEN makes the constructors want omega
- * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an unknown rule, a method without
- *   tangents) */
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown rule),
+ *   QTRAJ_E_SETTING (a method without tangents) */
 QTRAJ_API qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_t rule);
 
 /** Sets the reference of LOG_SPLINE: the orientation that its rotation vectors start from.
@@ -302,8 +362,8 @@ QTRAJ_API qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_
  * @param q_wb     [4], w x y z, body to world, any norm but 0, copied; with another rule NULL. Constructors give it the
  *                 sign that is nearer to the first key
  * @return QTRAJ_OK, or without effect
- *   - QTRAJ_E_NULL: options, or q_wb with REFERENCE_GIVEN;
- *   - QTRAJ_E_OPTION: an unknown rule, a method without reference, q_wb with another rule;
+ *   - QTRAJ_E_NULL (options, or q_wb with REFERENCE_GIVEN), QTRAJ_E_HANDLE;
+ *   - QTRAJ_E_VALUE (an unknown rule, or q_wb with another rule), QTRAJ_E_SETTING (a method without reference);
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: q_wb */
 QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32_t rule, const double* q_wb);
 
@@ -312,8 +372,8 @@ QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32
  * @param options  changed
  * @param before   a qtraj_extrapolate_value for times before the first knot
  * @param after    the same for times after the last one; QTRAJ_EXTRAPOLATE_PERIODIC is for both sides or none
- * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_OPTION (an unknown rule, or one of the two
- *   PERIODIC) */
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown rule, or one of
+ *   the two PERIODIC) */
 QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after);
 
 /** @} */
@@ -334,9 +394,9 @@ QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, i
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: an unknown method, or one that needs rates;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_RATES_MISSING (a method
+ * that needs rates), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const double* q_wb, size_t count,
@@ -353,9 +413,9 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: an unknown method, or one that needs rates;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_RATES_MISSING (a method
+ * that needs rates), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
@@ -370,11 +430,11 @@ QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, con
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: rates are needed, at all keys or at an end where none was set; with the index of an end's key:
- *     its rate is too fast for the interval (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where knots or end rates throw a LOG_SPLINE or a ROTATION_SPLINE out of range;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_RATES_MISSING (at all keys, or at a GIVEN
+ * end where none was set), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
  *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -393,11 +453,11 @@ QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, c
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: rates are needed, at all keys or at an end where none was set; with the index of an end's key:
- *     its rate is too fast for the interval (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where knots or end rates throw a LOG_SPLINE or a ROTATION_SPLINE out of range;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_RATES_MISSING (at all keys, or at a GIVEN
+ * end where none was set), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
  *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -417,11 +477,11 @@ QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* option
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: omega or alpha for a method or setting that does not use them, alpha missing, an unknown frame,
- *     END_GIVEN without its rate; with the index of a key: its rate is too fast for an interval beside it (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where its rates are absurdly fast for an interval beside it;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_RATES_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_RATES_UNWANTED: omega or alpha for a method or
+ *     setting that does not use them;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
  *     first */
 QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
@@ -442,11 +502,11 @@ QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_OPTION: omega or alpha for a method or setting that does not use them, alpha missing, an unknown frame,
- *     END_GIVEN without its rate; with the index of a key: its rate is too fast for an interval beside it (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where its rates are absurdly fast for an interval beside it;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_RATES_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_RATES_UNWANTED: omega or alpha for a method or
+ *     setting that does not use them;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
  *     first */
 QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
@@ -458,7 +518,7 @@ QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options,
  * @param options  method and settings, read during the call
  * @param count    number of keys, 2 or more
  * @param bytes    receives the number of bytes
- * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE: nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE: nothing is written */
 QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes);
 
 /** Builds a trajectory through keys in the caller's memory, with or without given rates; nothing is allocated.
@@ -475,11 +535,11 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (rates missing or not wanted, an unknown frame),
- *     QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
- *   - QTRAJ_E_OPTION with the index of a key: its rate is too fast for an interval beside it (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where knots or rates throw the curve out of range;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_RATES_MISSING,
+ *     QTRAJ_E_RATES_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
  *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -503,11 +563,11 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (rates missing or not wanted, an unknown frame),
- *     QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
- *   - QTRAJ_E_OPTION with the index of a key: its rate is too fast for an interval beside it (SQUAD);
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the key at bad_index; NOT_FINITE
- *     also where knots or rates throw the curve out of range;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_RATES_MISSING,
+ *     QTRAJ_E_RATES_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
+ *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
  *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -515,9 +575,9 @@ QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_op
                                       const double* times, const float* q_wb, const float* omega, const float* alpha,
                                       size_t count, qtraj_trajectory** out, size_t* bad_index);
 
-/** Frees a trajectory on the heap.
+/** Ends the life of a trajectory, and frees one on the heap. Used after it, it is QTRAJ_E_HANDLE.
  *
- * @param trajectory  NULL and trajectories made by qtraj_init() are left alone */
+ * @param trajectory  memory of qtraj_init() stays the caller's; NULL and what is no trajectory are left alone */
 QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
 
 /** @} */
@@ -537,7 +597,7 @@ QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
  * @param q_out       [count][4], w x y z, body to world, unit; may not overlap times
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
  *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count,
@@ -553,7 +613,7 @@ QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const do
  * @param q_out       [count][4], w x y z, body to world, unit; may not overlap times
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
  *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
@@ -573,7 +633,8 @@ QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, cons
  * @param alpha_out   [count][3], rad/s^2; may be NULL, but not all three outputs
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
+ * is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
  *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
@@ -594,7 +655,8 @@ QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, in
  * @param alpha_out   [count][3], rad/s^2; may be NULL, but not all three outputs
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
+ * is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate too large for float), QTRAJ_E_TIME_RANGE (a time outside the knots under
  *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
@@ -612,7 +674,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory
  * @param q_out       [count][4], w x y z, body to world, unit
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
  *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
@@ -630,7 +692,7 @@ QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, 
  * @param q_out       [count][4], w x y z, body to world, unit
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
  *     NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
@@ -655,7 +717,7 @@ QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count,
  *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
 
@@ -669,7 +731,7 @@ QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, doubl
  *                    receives the segment used, or stays as it is where there is none; may be NULL
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                                            float* q_out);
@@ -687,7 +749,7 @@ QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, d
  * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
  * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time, or a rate that overflows), QTRAJ_E_TIME_RANGE (time outside the knots under
  *     EXTRAPOLATE_ERROR): every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time,
@@ -707,7 +769,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory,
  * @param omega_out   [3], rad/s; may be NULL, but not all three outputs
  * @param alpha_out   [3], rad/s^2; may be NULL, but not all three outputs
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time, or a rate too large for float), QTRAJ_E_TIME_RANGE (time outside the knots under
  *     EXTRAPOLATE_ERROR): every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time,
@@ -715,10 +777,11 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* traject
 
 /** @} */
 
-/* ---- What a trajectory knows: plain values; 0 or NaN for a NULL handle ---- */
+/* ---- What a trajectory knows: plain values; 0 or NaN for NULL and for what is no trajectory ---- */
 
 /** @defgroup qtraj-getters What a trajectory knows
- * What the constructor found. Functions that return plain values give 0 or NaN for a NULL handle.
+ * What the constructor found. Functions that return plain values give 0 or NaN for NULL, and for a handle that is no
+ * trajectory.
  * @{ */
 
 /** Method that a trajectory was built with.
@@ -783,7 +846,8 @@ QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
  * @param trajectory  the curve
  * @param times_out   [key_count], s; may be NULL
  * @param q_out       [key_count][4], w x y z, body to world, unit; may be NULL
- * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_OVERLAP (of the two outputs): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_OVERLAP (of the two outputs): nothing is
+ * written */
 QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
 
 /** Smallest norm of an NLERP or QUATERNION_QUINTIC before it is normalised, computed by the call.
@@ -793,7 +857,7 @@ QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* ti
  * @param trajectory  the curve
  * @param norm        receives the norm; 1 for all other methods
  * @param time        receives the time of it, s, for other methods that of the first knot; may be NULL
- * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory, norm): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory, norm), QTRAJ_E_HANDLE: nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory, double* norm, double* time);
 
 /** @} */
@@ -814,7 +878,8 @@ QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory
  * @param omega_jump  [key_count][3], rad/s; may be NULL
  * @param alpha_jump  [key_count][3], rad/s^2; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL (trajectory), QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP (of the two outputs): nothing is written;
+ *   - QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of the two outputs): nothing
+ * is written;
  *   - QTRAJ_E_NOT_FINITE: a rate overflows: the rows of that knot are NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
                                          double* alpha_jump);
@@ -826,8 +891,8 @@ QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int
  * @param omega_time  receives its time, s; may be NULL
  * @param alpha_peak  receives the largest |alpha|, rad/s^2, inside segments; may be NULL
  * @param alpha_time  receives its time, s; may be NULL
- * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_NOT_FINITE (a rate overflows), QTRAJ_E_NO_CONVERGENCE (a
- *   segment takes more than 1e5 pieces): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (a rate overflows),
+ * QTRAJ_E_NO_CONVERGENCE (a segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak,
                                               double* omega_time, double* alpha_peak, double* alpha_time);
 
@@ -835,16 +900,16 @@ QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory
  *
  * @param trajectory  the curve
  * @param energy      receives the integral, rad^2/s^3
- * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_NOT_FINITE (rates or the integral overflow), QTRAJ_E_NO_CONVERGENCE (a
- *   segment takes more than 1e5 pieces): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (rates or the integral overflow),
+ * QTRAJ_E_NO_CONVERGENCE (a segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy);
 
 /** Integral of |omega|: the whole way that the curve turns, not the angle between its ends.
  *
  * @param trajectory  the curve
  * @param angle       receives the integral, rad
- * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_NOT_FINITE (rates overflow), QTRAJ_E_NO_CONVERGENCE (a segment takes more
- *   than 1e5 pieces): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (rates overflow), QTRAJ_E_NO_CONVERGENCE (a
+ * segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle);
 
 /** @} */
@@ -867,7 +932,7 @@ QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajector
  * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE: a fraction: that row is NaN, all others are right;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
@@ -888,7 +953,7 @@ QTRAJ_API qtraj_status qtraj_slerp(const double* a, const double* b, const doubl
  * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE: a fraction: that row is NaN, all others are right;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
@@ -908,7 +973,7 @@ QTRAJ_API qtraj_status qtraj_slerp_f32(const float* a, const float* b, const flo
  * @param q_out           [count][4], w x y z, unit; may be a or b
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const double* fraction,
@@ -930,7 +995,7 @@ QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const
  * @param q_out           [count][4], w x y z, unit; may be a or b
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, const float* fraction,
@@ -947,7 +1012,7 @@ QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, con
  * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a fraction), QTRAJ_E_ZERO_NORM (the chord passes through 0 there, norm below 1e-14, which
  *     takes AS_GIVEN and opposite a and b): that row is NaN, all others are right;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN */
@@ -966,7 +1031,7 @@ QTRAJ_API qtraj_status qtraj_nlerp(const double* a, const double* b, const doubl
  * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a fraction), QTRAJ_E_ZERO_NORM (the chord passes through 0 there, norm below 1e-14, which
  *     takes AS_GIVEN and opposite a and b): that row is NaN, all others are right;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a or b, which is a fault of every row: all are NaN */
@@ -984,7 +1049,7 @@ QTRAJ_API qtraj_status qtraj_nlerp_f32(const float* a, const float* b, const flo
  * @param q_out           [count][4], w x y z, unit; may be a or b
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
  *     opposite a and b): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const double* fraction,
@@ -1004,7 +1069,7 @@ QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const
  * @param q_out           [count][4], w x y z, unit; may be a or b
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
  *     opposite a and b): that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, const float* fraction,
@@ -1025,9 +1090,9 @@ QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, con
  * @param q_out      [count][4], w x y z, unit; may not overlap an input, but where count is 1 may be a or b
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE: one of times: that row is NaN, all others are right;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (their distance overflows): a, b,
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (their distance overflows): a, b,
  *     time_a or time_b, which is a fault of every row: all are NaN;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; rows hold the turn about x */
 QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b, double time_b,
@@ -1047,7 +1112,7 @@ QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of the times overflows):
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (the span of the times overflows):
  *     the key at bad_index; its rows and those of its neighbours are NaN in both outputs, but the first and the last
  *     key's, which need no neighbour; all others are right;
  *   - QTRAJ_E_AMBIGUOUS: a neighbour is the opposite of this key; the arc between them turns about the body's x axis */
@@ -1400,7 +1465,7 @@ QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, d
  * @param ddq_out    [count][4], 1/s^2; NULL together with alpha; may be q_wb where dq_out is not
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (an input, or a result that overflows), QTRAJ_E_ZERO_NORM: that row is NaN in both outputs,
  *     all others are right */
 QTRAJ_API qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega,
@@ -1420,7 +1485,7 @@ QTRAJ_API qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double*
  * @param alpha_out  [count][3], rad/s^2; NULL together with ddq; may not overlap another array
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (an input, or a result that overflows), QTRAJ_E_ZERO_NORM: that row is NaN in both outputs,
  *     all others are right */
 QTRAJ_API qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double* q_wb, const double* dq,
@@ -1445,7 +1510,7 @@ QTRAJ_API qtraj_status qtraj_rates_from_derivatives(int32_t frame, const double*
  * @param eigengap   receives (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may be NULL
  * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
  *     mean_out and eigengap are NaN;
  *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues tie, to 64 eps of double; mean_out is one of the best */
@@ -1463,7 +1528,7 @@ QTRAJ_API qtraj_status qtraj_mean_eigen(const double* q, const double* weights, 
  * @param eigengap   receives (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may be NULL
  * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
  *     mean_out and eigengap are NaN;
  *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues tie, to 64 eps of float; mean_out is one of the best */
@@ -1483,7 +1548,7 @@ QTRAJ_API qtraj_status qtraj_mean_eigen_f32(const float* q, const float* weights
  * @param residual        receives the length of its last step, rad on S^3; may be NULL
  * @param bad_index       receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (tolerance not finite or below 0, max_iterations below
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (tolerance not finite or below 0, max_iterations below
  *     1), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
  *     mean_out and residual are NaN, iterations 0;
@@ -1509,7 +1574,7 @@ QTRAJ_API qtraj_status qtraj_mean_karcher(const double* q, const double* weights
  * @param residual        receives the length of its last step, rad on S^3; may be NULL
  * @param bad_index       receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (tolerance not finite or below 0, max_iterations below
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (tolerance not finite or below 0, max_iterations below
  *     1), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also, without an index: all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT:
  *     mean_out and residual are NaN, iterations 0;
@@ -1539,8 +1604,8 @@ QTRAJ_API qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weigh
  * @param omega_out  [count - 1][3], rad/s, row k from sample k to k + 1; may not overlap another array
  * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of the times overflows):
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (the span of the times overflows):
  *     a sample; the one or two rows beside it are NaN in both outputs, all others are right;
  *   - QTRAJ_E_AMBIGUOUS, with the later sample: two are half a turn apart; that row has one of the two directions */
 QTRAJ_API qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, const double* q_wb, size_t count,
@@ -1557,9 +1622,9 @@ QTRAJ_API qtraj_status qtraj_estimate_omega(int32_t frame, const double* times, 
  * @param energy     receives the sum, rad^2/s^3
  * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a sample, or the sum exceeds 1e300 there), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER,
- *     QTRAJ_E_TIME_RANGE (the span of the times overflows): energy is NaN;
+ *     QTRAJ_E_TIME_SPAN (the span of the times overflows): energy is NaN;
  *   - QTRAJ_E_AMBIGUOUS, with the later sample: two are half a turn apart; energy is that of one of the directions */
 QTRAJ_API qtraj_status qtraj_estimate_energy(int32_t frame, const double* times, const double* q_wb, size_t count,
                                              double* energy, size_t* bad_index);
@@ -1579,9 +1644,9 @@ QTRAJ_API qtraj_status qtraj_estimate_energy(int32_t frame, const double* times,
  * @param bad_index   receives the first index at fault, that of a sample, or count plus that of a knot, SIZE_MAX where
  *                    there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (frame), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a sample; rows that use its orientation are NaN, all others are right;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE: the time of a sample; all rows are NaN;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the time of a sample; all rows are NaN;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE (no interval on one side): a knot; its row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: a knot, beside which samples are half a turn apart; its row has one of the two directions */
 QTRAJ_API qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, const double* q_wb, size_t count,
@@ -1603,10 +1668,10 @@ QTRAJ_API qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, 
  * @param bad_index  receives the first index at fault, that of a key, or key_count plus that of a sample, SIZE_MAX
  *                   where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: a key, or a sample's orientation; rows of that key, or of keys that are
  *     nearest to that sample, are NaN, all others are right;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (their span overflows): the time of a sample; all rows
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (their span overflows): the time of a sample; all rows
  *     are NaN */
 QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const double* key_q, size_t key_count,
                                              const double* times, const double* q_wb, size_t count, double* error_out,
@@ -1634,9 +1699,9 @@ QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const doub
  * @param bad_index    receives the first index at fault, that of a point, or count plus that of a query, SIZE_MAX where
  *                     there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OPTION (ends), QTRAJ_E_OVERLAP, QTRAJ_E_NO_MEMORY: nothing is
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (ends), QTRAJ_E_OVERLAP, QTRAJ_E_NO_MEMORY: nothing is
  *     written;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_RANGE (the span of x overflows): a point; all rows are NaN;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (the span of x overflows): a point; all rows are NaN;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC, and the last point, at bad_index, has a y off the first by more than 1e-6 of the
  *     largest; all rows are NaN;
  *   - QTRAJ_E_NOT_FINITE (or a value overflows), QTRAJ_E_TIME_RANGE (outside x): a query; its row is NaN, all others

@@ -1,5 +1,5 @@
 // The constants of the C API as enumerations. Their values are those of qtraj.h, so that a caller's number is cast, not
-// translated. The setters (methods/options.hpp) and is_known below check that it is a known one.
+// translated; is_known checks that it is one of them.
 #pragma once
 
 #include "qtraj.h"
@@ -32,6 +32,7 @@ enum class Reference : int32_t {
   given = QTRAJ_REFERENCE_GIVEN
 };
 enum class Extrapolate : int32_t {
+  standard = QTRAJ_EXTRAPOLATE_DEFAULT,
   error = QTRAJ_EXTRAPOLATE_ERROR,
   hold = QTRAJ_EXTRAPOLATE_HOLD,
   constant_rate = QTRAJ_EXTRAPOLATE_CONSTANT_RATE,
@@ -39,7 +40,23 @@ enum class Extrapolate : int32_t {
 };
 enum class Path : int32_t { shortest = QTRAJ_PATH_SHORTEST, as_given = QTRAJ_PATH_AS_GIVEN };
 
-static constexpr bool is_known(Frame frame) { return frame == Frame::body || frame == Frame::world; }
-static constexpr bool is_known(Path path) { return path == Path::shortest || path == Path::as_given; }
+// The values of a family of constants are consecutive.
+template <class Constant>
+static constexpr bool is_between(Constant value, Constant first, Constant last) {
+  return static_cast<int32_t>(value) >= static_cast<int32_t>(first) &&
+         static_cast<int32_t>(value) <= static_cast<int32_t>(last);
+}
+static constexpr bool is_known(Frame frame) { return is_between(frame, Frame::body, Frame::world); }
+static constexpr bool is_known(End end) { return end == End::standard || is_between(end, End::chord, End::periodic); }
+static constexpr bool is_known(Tangent rule) {
+  return rule == Tangent::standard || is_between(rule, Tangent::catmull_rom, Tangent::given);
+}
+static constexpr bool is_known(Reference rule) {
+  return rule == Reference::standard || is_between(rule, Reference::first, Reference::given);
+}
+static constexpr bool is_known(Extrapolate rule) {
+  return rule == Extrapolate::standard || is_between(rule, Extrapolate::error, Extrapolate::periodic);
+}
+static constexpr bool is_known(Path path) { return is_between(path, Path::shortest, Path::as_given); }
 
 }  // namespace qtraj

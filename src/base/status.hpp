@@ -12,9 +12,14 @@ namespace qtraj {
 enum class Status : int32_t {
   ok = QTRAJ_OK,
   null = QTRAJ_E_NULL,
+  handle = QTRAJ_E_HANDLE,
+  too_few = QTRAJ_E_TOO_FEW,
   count = QTRAJ_E_COUNT,
   size = QTRAJ_E_SIZE,
-  option = QTRAJ_E_OPTION,
+  value = QTRAJ_E_VALUE,
+  setting = QTRAJ_E_SETTING,
+  rates_missing = QTRAJ_E_RATES_MISSING,
+  rates_unwanted = QTRAJ_E_RATES_UNWANTED,
   buffer = QTRAJ_E_BUFFER,
   overlap = QTRAJ_E_OVERLAP,
   no_memory = QTRAJ_E_NO_MEMORY,
@@ -22,11 +27,14 @@ enum class Status : int32_t {
   zero_norm = QTRAJ_E_ZERO_NORM,
   time_order = QTRAJ_E_TIME_ORDER,
   time_range = QTRAJ_E_TIME_RANGE,
+  time_span = QTRAJ_E_TIME_SPAN,
+  gap = QTRAJ_E_GAP,
   negative_weight = QTRAJ_E_NEGATIVE_WEIGHT,
   not_closed = QTRAJ_E_NOT_CLOSED,
   not_rotation = QTRAJ_E_NOT_ROTATION,
-  ambiguous = QTRAJ_E_AMBIGUOUS,
+  rate_too_fast = QTRAJ_E_RATE_TOO_FAST,
   no_convergence = QTRAJ_E_NO_CONVERGENCE,
+  ambiguous = QTRAJ_E_AMBIGUOUS,
 };
 
 constexpr size_t kNoIndex = SIZE_MAX;

@@ -12,7 +12,7 @@ Status check_knot(const double* times, size_t index) {
 Status check_time(double first, double previous, double time) {
   if (!(time > previous)) return Status::time_order;
   // halved first, so that the difference cannot overflow
-  if (0.5 * time - 0.5 * std::min(first, previous) > 0.5 * DBL_MAX) return Status::time_range;
+  if (0.5 * time - 0.5 * std::min(first, previous) > 0.5 * DBL_MAX) return Status::time_span;
   const double h = time - previous;
   if (h < 1.0 && h * h < 1.0 / DBL_MAX) return Status::time_order;
   return Status::ok;

@@ -6,7 +6,7 @@
 namespace qtraj {
 
 // Checks knot `index`; all times are finite, and the knots before it valid. time_order: the knot does not come after
-// the one before it, or so soon after it that 1/h^2 overflows. time_range: the span from the first knot overflows.
+// the one before it, or so soon after it that 1/h^2 overflows. time_span: the span from the first knot overflows.
 Status check_knot(const double* times, size_t index);
 // The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);

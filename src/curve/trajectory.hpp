@@ -23,6 +23,8 @@ struct Extrapolation {
 };
 
 struct Trajectory {
+  static constexpr uint64_t kTag = 0x7672636a61727471;  // "qtrajcrv"
+  uint64_t tag;  // kTag from the end of construction until the handle is destroyed
   Method method;
   SegmentKind kind;
   ExponentRange range;

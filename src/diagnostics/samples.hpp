@@ -2,7 +2,7 @@
 //
 // Faults, for all four functions. A sample is faulty where its time or orientation is not finite (not_finite), its
 // orientation is 0 (zero_norm), its time does not come after the last finite time before it, or so soon after it that
-// 1/h^2 overflows (time_order), or the span from there or from the first finite time overflows (time_range). Every
+// 1/h^2 overflows (time_order), or the span from there or from the first finite time overflows (time_span). Every
 // faulty sample is reported, also one that no row uses.
 //   - Rows that use a faulty sample are NaN. A lookup of a time uses all times: where one is at fault, all rows of
 //     estimate_jumps and keyframe_errors are NaN. estimate_energy is one row that uses all samples.

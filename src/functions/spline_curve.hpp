@@ -19,7 +19,7 @@ size_t spline_curve_workspace(size_t count, size_t dim);
 // r), with a not_a_knot end 4 eps Y (1 + r)^2: how far the curve can swing on uneven knots. At a knot the value is y,
 // to 1e-300 Y.
 //
-// not_finite, time_order, time_range with the row of x and y at fault, as for keyframes; not_closed, with the last row,
+// not_finite, time_order, time_span with the row of x and y at fault, as for keyframes; not_closed, with the last row,
 // where both ends are periodic and the last y is more than 1e-6 Y away from the first (else it counts as the first);
 // not_finite with a knot where spline_slopes fails: all rows are NaN. Queries follow, index count + query, their row
 // NaN: not_finite; time_range outside x; not_finite where the value overflows or the curve swings past 1e150 Y. y_out

@@ -40,7 +40,7 @@ Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate
 // turns about its own x axis from one to the other (Slerp in functions/pairs.hpp).
 //
 // A key at fault makes the controls of its neighbours NaN too, unless these are the first or the last key. The outcome
-// is that of the first key that is not_finite or zero_norm, whose time is time_order or time_range (as those of knots),
+// is that of the first key that is not_finite or zero_norm, whose time is time_order or time_span (as those of knots),
 // or whose controls are ambiguous.
 struct SquadKeyRows {
   Input<1> times;

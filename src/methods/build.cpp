@@ -61,11 +61,13 @@ Status check_settings(const Options& options, const KeyframeInput& input, Frame 
   const MethodRow& row = *find_method(options.method);
   const bool needs_omega = row.needs_omega || options.tangents == Tangent::given;
   const bool has_omega = input.omega.data != nullptr, has_alpha = input.alpha.data != nullptr;
-  if (needs_omega != has_omega || row.needs_alpha != has_alpha) return Status::option;
-  if (has_omega && !is_known(rate_frame)) return Status::option;
+  if (has_omega && !is_known(rate_frame)) return Status::value;
+  if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha)) return Status::rates_missing;
   const bool start_rate_missing = options.start.condition == End::given && !options.start.has_rate;
   const bool end_rate_missing = options.end.condition == End::given && !options.end.has_rate;
-  return start_rate_missing || end_rate_missing ? Status::option : Status::ok;
+  if (start_rate_missing || end_rate_missing) return Status::rates_missing;
+  const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha);
+  return unwanted ? Status::rates_unwanted : Status::ok;
 }
 
 Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,
@@ -111,6 +113,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   trajectory->after = extrapolation_at(options.end, keys.times[last], 1.0, keys[last].value, construction.omega_end);
   trajectory->closed = options.closed() || options.wraps();
   trajectory->negate_on_wrap = dot(keys[0].value, keys[last].value) < 0;
+  trajectory->tag = Trajectory::kTag;
   *out = trajectory;
   return {};
 }

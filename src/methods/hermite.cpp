@@ -7,7 +7,7 @@
 namespace qtraj {
 
 // HERMITE: q_i exp(r/2), r the cubic with r(0) = 0, r(h) = R_i = 2 log(q_i* q_{i+1}) and the given body rates w at both
-// ends: r'(0) = w_i, r'(h) = Jr^-1(R_i) w_{i+1}. not_finite with a key's index where |h w| exceeds 2^500.
+// ends: r'(0) = w_i, r'(h) = Jr^-1(R_i) w_{i+1}. rate_too_fast with a key's index where |h w| exceeds 2^500.
 Outcome build_hermite(Construction& construction) {
   constexpr double kLimit = 0x1p500;
   const Keyframes& keys = construction.keys;
@@ -16,8 +16,8 @@ Outcome build_hermite(Construction& construction) {
   for (size_t i = 0; i < keys.segments(); ++i) {
     const double h = keys.step(i);
     Vector3 start, end;
-    if (!given_scaled_omega(construction, i, h, kLimit, start)) return {Status::not_finite, i};
-    if (!given_scaled_omega(construction, i + 1, h, kLimit, end)) return {Status::not_finite, i + 1};
+    if (!given_scaled_omega(construction, i, h, kLimit, start)) return {Status::rate_too_fast, i};
+    if (!given_scaled_omega(construction, i + 1, h, kLimit, end)) return {Status::rate_too_fast, i + 1};
     const Vector3 log = relative_log(keys[i], keys[i + 1]);
     const EndValues<Vector3> p = {
         {Vector3::Zero(), log}, {0.5 * start, 0.5 * inverse_right_jacobian(2.0 * log, end)}, {}};

@@ -40,7 +40,7 @@ struct KeyframeReport {
 };
 
 // Checks all input and fills `keys`, whose arrays hold input.count elements. On an error the lowest index at fault and,
-// at one index, the first of not_finite, zero_norm, time_order, time_range.
+// at one index, the first of not_finite, zero_norm, time_order, time_span.
 Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report);
 
 // Makes the last key +- the first, sign kept; not_closed where they are more than 1e-6 rad apart as orientations.

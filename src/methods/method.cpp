@@ -14,7 +14,10 @@ Outcome build_quaternion_quintic(Construction& construction);
 
 namespace {
 
-constexpr unsigned bit(End end) { return 1u << static_cast<unsigned>(end); }
+// Of a known end condition.
+constexpr unsigned bit(End end) {
+  return end == End::standard ? 1u : 2u << (static_cast<unsigned>(end) - static_cast<unsigned>(End::chord));
+}
 
 constexpr unsigned kSquadEnds =
     bit(End::standard) | bit(End::chord) | bit(End::estimated) | bit(End::given) | bit(End::periodic);
@@ -44,10 +47,7 @@ constexpr MethodRow kMethods[] = {
 
 }  // namespace
 
-bool MethodRow::accepts_end(End condition) const {
-  const auto number = static_cast<int32_t>(condition);
-  return number >= 0 && number <= static_cast<int32_t>(End::periodic) && (ends & bit(condition)) != 0;
-}
+bool MethodRow::accepts_end(End condition) const { return is_known(condition) && (ends & bit(condition)) != 0; }
 
 const MethodRow* find_method(Method method) {
   for (const MethodRow& row : kMethods)

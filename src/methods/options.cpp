@@ -6,8 +6,6 @@
 namespace qtraj {
 namespace {
 
-bool in_range(int32_t value, int32_t first, int32_t last) { return value >= first && value <= last; }
-
 template <class Vector>
 bool load_finite(const double* from, Vector& to) {
   for (int k = 0; k < Vector::RowsAtCompileTime; ++k) {
@@ -19,8 +17,8 @@ bool load_finite(const double* from, Vector& to) {
 
 // Whether `omega` is there where the end needs it and only there.
 Status check_end_rate(const EndSetting& end, const double* omega) {
-  if (end.condition == End::given && !omega) return Status::null;
-  if (end.condition != End::given && omega) return Status::option;
+  if (end.condition == End::given && !omega) return Status::rates_missing;
+  if (end.condition != End::given && omega) return Status::rates_unwanted;
   return Status::ok;
 }
 
@@ -32,7 +30,7 @@ void set_end(EndSetting& end, End condition) {
 }  // namespace
 
 Status Options::make(Method method, Options& out) {
-  if (!find_method(method)) return Status::option;
+  if (!find_method(method)) return Status::value;
   out = Options{};
   out.method = method;
   return Status::ok;
@@ -41,17 +39,20 @@ Status Options::make(Method method, Options& out) {
 Status Options::set_ends(End start_condition, End end_condition) {
   const MethodRow& row = *find_method(method);
   const bool one_closed = (start_condition == End::periodic) != (end_condition == End::periodic);
-  if (!row.accepts_end(start_condition) || !row.accepts_end(end_condition) || one_closed) return Status::option;
+  if (!is_known(start_condition) || !is_known(end_condition) || one_closed) return Status::value;
+  if (!row.accepts_end(start_condition) || !row.accepts_end(end_condition)) return Status::setting;
   set_end(start, start_condition);
   set_end(end, end_condition);
   return Status::ok;
 }
 
 Status Options::set_end_rates(Frame frame, const double* omega_start, const double* omega_end) {
+  if (!is_known(frame)) return Status::value;
+  if (!find_method(method)->accepts_end(End::given)) return Status::setting;
   const Status at_start = check_end_rate(start, omega_start), at_end = check_end_rate(end, omega_end);
-  if (at_start == Status::null || at_end == Status::null) return Status::null;
-  if (!find_method(method)->accepts_end(End::given) || !is_known(frame)) return Status::option;
-  if (at_start != Status::ok || at_end != Status::ok) return Status::option;
+  const bool one_missing = at_start == Status::rates_missing || at_end == Status::rates_missing;
+  if (one_missing) return Status::rates_missing;
+  if (at_start != Status::ok || at_end != Status::ok) return Status::rates_unwanted;
 
   Vector3 start_rate = start.omega, end_rate = end.omega;
   if (omega_start && !load_finite(omega_start, start_rate)) return Status::not_finite;
@@ -65,17 +66,16 @@ Status Options::set_end_rates(Frame frame, const double* omega_start, const doub
 }
 
 Status Options::set_tangents(Tangent rule) {
-  const bool known = in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Tangent::given));
-  if (!find_method(method)->has_tangents || !known) return Status::option;
+  if (!is_known(rule)) return Status::value;
+  if (!find_method(method)->has_tangents) return Status::setting;
   tangents = rule == Tangent::standard ? Tangent::catmull_rom : rule;
   return Status::ok;
 }
 
 Status Options::set_reference(Reference rule, const double* q_wb) {
-  const bool known = in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Reference::given));
   if (rule == Reference::given && !q_wb) return Status::null;
-  if (!find_method(method)->has_reference || !known) return Status::option;
-  if (rule != Reference::given && q_wb) return Status::option;
+  if (!is_known(rule) || (rule != Reference::given && q_wb)) return Status::value;
+  if (!find_method(method)->has_reference) return Status::setting;
   if (rule == Reference::given) {
     Quaternion q;
     if (!load_finite(q_wb, q)) return Status::not_finite;
@@ -87,13 +87,10 @@ Status Options::set_reference(Reference rule, const double* q_wb) {
 }
 
 Status Options::set_extrapolation(Extrapolate before, Extrapolate after) {
-  const auto known = [](Extrapolate rule) {
-    return in_range(static_cast<int32_t>(rule), 0, static_cast<int32_t>(Extrapolate::periodic));
-  };
   const bool one_wraps = (before == Extrapolate::periodic) != (after == Extrapolate::periodic);
-  if (!known(before) || !known(after) || one_wraps) return Status::option;
-  start.extrapolate = before;
-  end.extrapolate = after;
+  if (!is_known(before) || !is_known(after) || one_wraps) return Status::value;
+  start.extrapolate = before == Extrapolate::standard ? Extrapolate::error : before;
+  end.extrapolate = after == Extrapolate::standard ? Extrapolate::error : after;
   return Status::ok;
 }
 

@@ -24,7 +24,7 @@ struct Options {
   Reference reference = Reference::first;
   Quaternion reference_q = Quaternion::Zero();  // where reference is given
 
-  // option where the method is unknown.
+  // value where the method is unknown.
   static Status make(Method method, Options& out);
 
   Status set_ends(End start_condition, End end_condition);

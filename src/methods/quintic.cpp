@@ -18,8 +18,8 @@ Outcome given_segment_rates(const Construction& construction, size_t segment, Se
   const double h = construction.keys.step(segment);
   for (size_t end = 0; end < 2; ++end) {
     const size_t key = segment + end;
-    if (!given_scaled_omega(construction, key, h, kLimit, rates.first[end])) return {Status::not_finite, key};
-    if (!given_scaled_alpha(construction, key, h, kLimit, rates.second[end])) return {Status::not_finite, key};
+    if (!given_scaled_omega(construction, key, h, kLimit, rates.first[end])) return {Status::rate_too_fast, key};
+    if (!given_scaled_alpha(construction, key, h, kLimit, rates.second[end])) return {Status::rate_too_fast, key};
   }
   return {};
 }
@@ -34,7 +34,7 @@ void keep_end_rates(Construction& construction, size_t segment, const SegmentRat
 
 // ROTATION_QUINTIC: q_i exp(r/2), r the quintic with the ends of HERMITE and the given body accelerations:
 // r''(0) = alpha_i, r''(h) = Jr^-1(R_i) (alpha_{i+1} - beta(R_i, r'(h))), beta of so3.hpp.
-// not_finite with a key's index where |h omega| or |h^2 alpha| exceeds 2^240.
+// rate_too_fast with a key's index where |h omega| or |h^2 alpha| exceeds 2^240.
 Outcome build_rotation_quintic(Construction& construction) {
   const Keyframes& keys = construction.keys;
   auto* segments = static_cast<RotationVectorSegment<5>*>(construction.segments);
@@ -59,7 +59,7 @@ Outcome build_rotation_quintic(Construction& construction) {
 
 // QUATERNION_QUINTIC: the quintic in R^4 with q' = (0, omega_world/2) q and q'' = (-|omega|^2/4, alpha_world/2) q at
 // the keys, normalised (Y. Liu et al., "A quaternion-based trajectory planning", ROBIO 2017, doi
-// 10.1109/ROBIO.2017.8324769). not_finite as above.
+// 10.1109/ROBIO.2017.8324769). rate_too_fast as above.
 Outcome build_quaternion_quintic(Construction& construction) {
   const Keyframes& keys = construction.keys;
   auto* segments = static_cast<NormalizedSegment<5>*>(construction.segments);

@@ -62,7 +62,7 @@ Outcome RateEquations::fix_end(size_t knot) {
   } else if (end.condition == End::given) {
     if (!scaled_to_body(end.omega, construction_.options.rate_frame, keys_[knot].value, h(segment), kLargestScaledRate,
                         w))
-      return {Status::not_finite, knot};
+      return {Status::rate_too_fast, knot};
     w /= h(segment);
   } else {
     w = estimated_end_rate(keys_, knot == 0 ? Side::start : Side::end, 3, construction_.input.epsilon());

@@ -70,7 +70,7 @@ Outcome solve(RateEquations& equations) {
 // exactly). The solution taken is the one continued from beta = 0; on extreme keys it is not the only one.
 //
 // no_convergence where that continuation stalls, a segment turns by more than 2^200 rad, or the equations are not met
-// to 1e-9; not_finite with the key's index where a given end rate alone is past 2^200 rad over its segment.
+// to 1e-9; rate_too_fast with the key's index where a given end rate alone is past 2^200 rad over its segment.
 Outcome build_rotation_spline(Construction& construction) {
   const Keyframes& keys = construction.keys;
   RateEquations equations(construction);

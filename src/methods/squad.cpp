@@ -87,12 +87,12 @@ class HalfRates {
 
   Status given(const Vector3& omega, Frame frame, size_t key, Vector3& s) const {
     // past this every control wraps, however short the interval, and rotating the vector could overflow
-    if (largest_component(omega) > 0x1p520) return Status::option;
+    if (largest_component(omega) > 0x1p520) return Status::rate_too_fast;
     s = 0.5 * (frame == Frame::world ? to_body(keys_[key].value, omega) : omega);
     const Sides at = sides(key);
     const bool wraps =
         (at.has_before && control_wraps(s, chord(at.before))) || (at.has_after && control_wraps(s, chord(at.after)));
-    return wraps ? Status::option : Status::ok;
+    return wraps ? Status::rate_too_fast : Status::ok;
   }
 
   const Construction& construction_;
@@ -134,7 +134,7 @@ void store_relative(const Arc& outer, const Arc& inner, const Quaternion& m_offs
 // CATMULL_ROM rule gives Shoemake's a_i = b_i = q_i exp(-(log(q_i* q_{i+1}) + log(q_i* q_{i-1}))/4).
 //
 // The end rate is s_i only while |h s_i - L| < 2 pi; beyond, the logarithm of a control wraps. Tangents by a rule are
-// shortened to |h s_i - L| <= pi on both sides; given ones at or past 2 pi are status option with the key's index.
+// shortened to |h s_i - L| <= pi on both sides; given ones at or past 2 pi are rate_too_fast with the key's index.
 Outcome build_squad(Construction& construction) {
   const HalfRates half_rates(construction);
   const Outcome outcome = half_rates.fill();

@@ -122,19 +122,19 @@ TEST_CASE("C API: unknown frames are OPTION, after SIZE and before OVERLAP", "[c
     const auto rates = [&](const double* q_wb, size_t count, double* second) {
       return qtraj_rates_from_derivatives(frame, q_wb, q.data(), q.data(), count, omega.data(), second, &bad_index);
     };
-    CHECK(derivatives(q.data(), kRows, ddq.data()) == QTRAJ_E_OPTION);
+    CHECK(derivatives(q.data(), kRows, ddq.data()) == QTRAJ_E_VALUE);
     CHECK(bad_index == SIZE_MAX);
-    CHECK(derivatives(q.data(), 0, ddq.data()) == QTRAJ_E_OPTION);
+    CHECK(derivatives(q.data(), 0, ddq.data()) == QTRAJ_E_VALUE);
     CHECK(derivatives(nullptr, kRows, ddq.data()) == QTRAJ_E_NULL);
     CHECK(derivatives(q.data(), SIZE_MAX, ddq.data()) == QTRAJ_E_SIZE);
-    CHECK(derivatives(q.data(), kRows, dq.data()) == QTRAJ_E_OPTION);
+    CHECK(derivatives(q.data(), kRows, dq.data()) == QTRAJ_E_VALUE);
     bad_index = 7;
-    CHECK(rates(q.data(), kRows, alpha.data()) == QTRAJ_E_OPTION);
+    CHECK(rates(q.data(), kRows, alpha.data()) == QTRAJ_E_VALUE);
     CHECK(bad_index == SIZE_MAX);
-    CHECK(rates(q.data(), 0, alpha.data()) == QTRAJ_E_OPTION);
+    CHECK(rates(q.data(), 0, alpha.data()) == QTRAJ_E_VALUE);
     CHECK(rates(nullptr, kRows, alpha.data()) == QTRAJ_E_NULL);
     CHECK(rates(q.data(), SIZE_MAX, alpha.data()) == QTRAJ_E_SIZE);
-    CHECK(rates(q.data(), kRows, omega.data()) == QTRAJ_E_OPTION);
+    CHECK(rates(q.data(), kRows, omega.data()) == QTRAJ_E_VALUE);
     CHECK((dq == untouched_q && ddq == untouched_q && omega == untouched_rates && alpha == untouched_rates));
   }
 }

@@ -111,20 +111,20 @@ std::vector<Row<Real>> rows() {
       {"options NULL", kWithOptions, [](A& a) { a.options = nullptr; }, QTRAJ_E_NULL},
       {"omega NULL", bit(kCreateWithRates), [](A& a) { a.omega = nullptr; }, QTRAJ_E_NULL},
       {"memory NULL", bit(kInit), [](A& a) { a.memory = nullptr; }, QTRAJ_E_NULL},
-      {"count 0", kAll, [](A& a) { a.count = 0; }, QTRAJ_E_COUNT},
-      {"count 1", kAll, [](A& a) { a.count = 1; }, QTRAJ_E_COUNT},
+      {"count 0", kAll, [](A& a) { a.count = 0; }, QTRAJ_E_TOO_FEW},
+      {"count 1", kAll, [](A& a) { a.count = 1; }, QTRAJ_E_TOO_FEW},
       {"count 0, arrays NULL", kAll, [](A& a) { a.count = 0, a.times = nullptr, a.q = nullptr, a.omega = nullptr; },
-       QTRAJ_E_COUNT},
-      {"method 0", bit(kCreate), [](A& a) { a.method = 0; }, QTRAJ_E_OPTION},
-      {"method unknown", bit(kCreate), [](A& a) { a.method = INT32_MIN; }, QTRAJ_E_OPTION},
-      {"frame 0", kWithRates, [](A& a) { a.frame = 0; }, QTRAJ_E_OPTION},
-      {"frame unknown", kWithRates, [](A& a) { a.frame = INT32_MAX; }, QTRAJ_E_OPTION},
-      {"alpha for a method without", kWithRates, [](A& a) { a.alpha = &number; }, QTRAJ_E_OPTION},
-      {"rates missing in plain create", bit(kCreate), [](A& a) { a.method = QTRAJ_HERMITE; }, QTRAJ_E_OPTION},
-      {"rates missing", bit(kInit), [](A& a) { a.omega = nullptr; }, QTRAJ_E_OPTION},
+       QTRAJ_E_TOO_FEW},
+      {"method 0", bit(kCreate), [](A& a) { a.method = 0; }, QTRAJ_E_VALUE},
+      {"method unknown", bit(kCreate), [](A& a) { a.method = INT32_MIN; }, QTRAJ_E_VALUE},
+      {"frame 0", kWithRates, [](A& a) { a.frame = 0; }, QTRAJ_E_VALUE},
+      {"frame unknown", kWithRates, [](A& a) { a.frame = INT32_MAX; }, QTRAJ_E_VALUE},
+      {"alpha for a method without", kWithRates, [](A& a) { a.alpha = &number; }, QTRAJ_E_RATES_UNWANTED},
+      {"rates missing in plain create", bit(kCreate), [](A& a) { a.method = QTRAJ_HERMITE; }, QTRAJ_E_RATES_MISSING},
+      {"rates missing", bit(kInit), [](A& a) { a.omega = nullptr; }, QTRAJ_E_RATES_MISSING},
       {"bytes 0", bit(kInit), [](A& a) { a.bytes = 0; }, QTRAJ_E_BUFFER},
       {"memory misaligned", bit(kInit), [](A& a) { a.memory = static_cast<char*>(a.memory) + 4; }, QTRAJ_E_BUFFER},
-      // two faults: NULL, COUNT, SIZE, OPTION, BUFFER, OVERLAP
+      // two faults: NULL, HANDLE, TOO_FEW, SIZE, VALUE, RATES_MISSING, RATES_UNWANTED, BUFFER, OVERLAP
       {"NULL before COUNT", kAll, [](A& a) { a.q = nullptr, a.count = 1; }, QTRAJ_E_NULL},
       {"NULL options before COUNT", kWithOptions, [](A& a) { a.options = nullptr, a.count = 1; }, QTRAJ_E_NULL},
       {"NULL options before COUNT 0", kWithOptions, [](A& a) { a.options = nullptr, a.count = 0; }, QTRAJ_E_NULL},
@@ -132,21 +132,21 @@ std::vector<Row<Real>> rows() {
       {"NULL memory before COUNT", bit(kInit), [](A& a) { a.memory = nullptr, a.count = 0; }, QTRAJ_E_NULL},
       {"NULL before SIZE", kAll, [](A& a) { a.times = nullptr, a.count = SIZE_MAX; }, QTRAJ_E_NULL},
       {"NULL options before SIZE", kWithOptions, [](A& a) { a.options = nullptr, a.count = SIZE_MAX; }, QTRAJ_E_NULL},
-      {"NULL before OPTION", bit(kCreate), [](A& a) { a.q = nullptr, a.method = 0; }, QTRAJ_E_NULL},
+      {"NULL before VALUE", bit(kCreate), [](A& a) { a.q = nullptr, a.method = 0; }, QTRAJ_E_NULL},
       {"NULL before frame", bit(kCreateWithRates), [](A& a) { a.omega = nullptr, a.frame = 0; }, QTRAJ_E_NULL},
-      {"COUNT before OPTION", bit(kCreate), [](A& a) { a.count = 1, a.method = 0; }, QTRAJ_E_COUNT},
-      {"COUNT before frame", kWithRates, [](A& a) { a.count = 1, a.frame = 0; }, QTRAJ_E_COUNT},
-      {"COUNT before BUFFER", bit(kInit), [](A& a) { a.count = 1, a.bytes = 0; }, QTRAJ_E_COUNT},
-      {"SIZE before OPTION", bit(kCreate), [](A& a) { a.count = SIZE_MAX, a.method = 0; }, QTRAJ_E_SIZE},
+      {"TOO_FEW before VALUE", bit(kCreate), [](A& a) { a.count = 1, a.method = 0; }, QTRAJ_E_TOO_FEW},
+      {"TOO_FEW before frame", kWithRates, [](A& a) { a.count = 1, a.frame = 0; }, QTRAJ_E_TOO_FEW},
+      {"TOO_FEW before BUFFER", bit(kInit), [](A& a) { a.count = 1, a.bytes = 0; }, QTRAJ_E_TOO_FEW},
+      {"SIZE before VALUE", bit(kCreate), [](A& a) { a.count = SIZE_MAX, a.method = 0; }, QTRAJ_E_SIZE},
       {"SIZE before frame", kWithRates, [](A& a) { a.count = SIZE_MAX, a.frame = 0; }, QTRAJ_E_SIZE},
       {"SIZE before BUFFER", bit(kInit), [](A& a) { a.count = SIZE_MAX, a.bytes = 0; }, QTRAJ_E_SIZE},
-      {"OPTION before BUFFER", bit(kInit), [](A& a) { a.frame = 0, a.bytes = 0; }, QTRAJ_E_OPTION},
+      {"VALUE before BUFFER", bit(kInit), [](A& a) { a.frame = 0, a.bytes = 0; }, QTRAJ_E_VALUE},
       {"BUFFER before OVERLAP", bit(kInit), [](A& a) { a.memory = const_cast<double*>(a.times), a.bytes = 8; },
        QTRAJ_E_BUFFER},
   };
 }
 
-TEST_CASE("C API: constructors judge arguments in the order NULL, COUNT, SIZE, OPTION, BUFFER",
+TEST_CASE("C API: constructors judge arguments in the order NULL, HANDLE, TOO_FEW, SIZE, VALUE, RATES, BUFFER",
           "[capi][construct][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
@@ -191,7 +191,8 @@ TEST_CASE("C API: counts whose arrays would pass PTRDIFF_MAX bytes are SIZE", "[
   });
 }
 
-TEST_CASE("C API: rates that the method or its tangent rule does not use are OPTION", "[capi][construct][errors]") {
+TEST_CASE("C API: rates that the method or its tangent rule does not use are RATES_UNWANTED",
+          "[capi][construct][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
     for (const Variant& variant : variants()) {
@@ -200,29 +201,29 @@ TEST_CASE("C API: rates that the method or its tangent rule does not use are OPT
       Case<Real> good(true);
       const Options options = make_options(variant);
       good.arguments.options = options.get();
-      CHECK(open(kCreateWithRates, good.arguments) == QTRAJ_E_OPTION);
-      CHECK(open(kInit, good.arguments) == QTRAJ_E_OPTION);
+      CHECK(open(kCreateWithRates, good.arguments) == QTRAJ_E_RATES_UNWANTED);
+      CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_UNWANTED);
       CHECK(good.bad_index == SIZE_MAX);
       CHECK(good.out == nullptr);
     }
   });
 }
 
-TEST_CASE("C API: rates that are needed and missing are OPTION", "[capi][construct][errors]") {
+TEST_CASE("C API: rates that are needed and missing are RATES_MISSING", "[capi][construct][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
     Case<Real> good(false);
     good.arguments.options = good.with_rates.get();
-    CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_OPTION);
-    CHECK(open(kInit, good.arguments) == QTRAJ_E_OPTION);
+    CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_RATES_MISSING);
+    CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_MISSING);
     // END_GIVEN at either end, and its rate never set
     for (const bool at_start : {false, true}) {
       const Options options = make_options({"", QTRAJ_SQUAD});
       REQUIRE(qtraj_options_set_ends(options.get(), at_start ? QTRAJ_END_GIVEN : QTRAJ_END_CHORD,
                                      at_start ? QTRAJ_END_CHORD : QTRAJ_END_GIVEN) == QTRAJ_OK);
       good.arguments.options = options.get();
-      CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_OPTION);
-      CHECK(open(kInit, good.arguments) == QTRAJ_E_OPTION);
+      CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_RATES_MISSING);
+      CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_MISSING);
       CHECK(good.out == nullptr);
       CHECK(good.bad_index == SIZE_MAX);
     }

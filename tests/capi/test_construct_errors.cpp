@@ -102,11 +102,11 @@ std::vector<Fault<Real>> faults() {
       {"gap whose inverse square just fits, then a repeated time",
        [](K& k) { k.times = {-2, -1, 0, 7.4584e-155, 1, 1}; }, QTRAJ_E_TIME_ORDER, 5},
       {"denormal gap", [](K& k) { k.times = {-2, -1, 0, 5e-324, 1, 2}; }, QTRAJ_E_TIME_ORDER, 3},
-      {"span overflows at the last key", [](K& k) { k.times = {-DBL_MAX, -1e308, -1, 0, 1, 1e308}; },
-       QTRAJ_E_TIME_RANGE, 5},
-      {"a gap overflows", [](K& k) { k.times = {-DBL_MAX, DBL_MAX, 0, 0, 0, 0}; }, QTRAJ_E_TIME_RANGE, 1},
+      {"span overflows at the last key", [](K& k) { k.times = {-DBL_MAX, -1e308, -1, 0, 1, 1e308}; }, QTRAJ_E_TIME_SPAN,
+       5},
+      {"a gap overflows", [](K& k) { k.times = {-DBL_MAX, DBL_MAX, 0, 0, 0, 0}; }, QTRAJ_E_TIME_SPAN, 1},
       {"span that rounds to infinity",
-       [](K& k) { k.times = {-DBL_MAX / 2, -3, -2, -1, 0, std::nextafter(DBL_MAX / 2, DBL_MAX)}; }, QTRAJ_E_TIME_RANGE,
+       [](K& k) { k.times = {-DBL_MAX / 2, -3, -2, -1, 0, std::nextafter(DBL_MAX / 2, DBL_MAX)}; }, QTRAJ_E_TIME_SPAN,
        5},
       {"NaN before zero norm, at one key", [](K& k) { set_q(k, 2, 0), k.times[2] = kNaN; }, QTRAJ_E_NOT_FINITE, 2},
       {"zero norm before time order, at one key", [](K& k) { set_q(k, 2, 0), k.times[2] = k.times[1]; },
@@ -117,7 +117,7 @@ std::vector<Fault<Real>> faults() {
        QTRAJ_E_TIME_ORDER, 1},
       {"lowest index: zero norm, then NaN", [](K& k) { set_q(k, 1, 0), set_q(k, 2, kNaN); }, QTRAJ_E_ZERO_NORM, 1},
       {"lowest index: time range, then NaN", [](K& k) { k.times = {-DBL_MAX, 0, DBL_MAX, kNaN, 0, 0}; },
-       QTRAJ_E_TIME_RANGE, 2},
+       QTRAJ_E_TIME_SPAN, 2},
       {"lowest index: NaN, then everything", [](K& k) { set_q(k, 1, kNaN), set_q(k, 2, 0), k.times[3] = k.times[2]; },
        QTRAJ_E_NOT_FINITE, 1},
   };
@@ -211,14 +211,14 @@ TEST_CASE("C API: rates too fast for their interval are OPTION with the index of
     Rates<double> rates = {std::vector<double>(12), {}};
     rates.omega[3 * row.key + 1] = -row.rate;
     const Built built = build(make_options(by_key).get(), Keyframes<double>{times, q}, rates);
-    CHECK(built.status == (row.fine ? QTRAJ_OK : QTRAJ_E_OPTION));
+    CHECK(built.status == (row.fine ? QTRAJ_OK : QTRAJ_E_RATE_TOO_FAST));
     CHECK(built.bad_index == (row.fine ? SIZE_MAX : row.key));
     CHECK((built.trajectory != nullptr) == row.fine);
   }
   const Variant by_end = {"", QTRAJ_SQUAD, QTRAJ_END_GIVEN};
   for (const double rate : {14.0, 1e200, DBL_MAX}) {
     const Built built = build(make_options(by_end, rate).get(), Keyframes<double>{times, q});
-    CHECK(built.status == QTRAJ_E_OPTION);
+    CHECK(built.status == QTRAJ_E_RATE_TOO_FAST);
     CHECK(built.bad_index == 0);
   }
 }

@@ -42,9 +42,9 @@ TEST_CASE("C API: curve_jumps judges frame, then overlap, and then leaves its ou
     const std::vector<double> untouched = block;
     double* out = block.data() + kLength;
     for (const int32_t frame : {0, 3, -1, 1000, INT32_MAX, INT32_MIN}) {
-      CHECK(qtraj_curve_jumps(curve.get(), frame, out, nullptr) == QTRAJ_E_OPTION);
-      CHECK(qtraj_curve_jumps(curve.get(), frame, out, out) == QTRAJ_E_OPTION);
-      CHECK(qtraj_curve_jumps(curve.get(), frame, nullptr, nullptr) == QTRAJ_E_OPTION);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, out, nullptr) == QTRAJ_E_VALUE);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, out, out) == QTRAJ_E_VALUE);
+      CHECK(qtraj_curve_jumps(curve.get(), frame, nullptr, nullptr) == QTRAJ_E_VALUE);
     }
     for (const ptrdiff_t shift : {ptrdiff_t{0}, ptrdiff_t{1}, ptrdiff_t{kLength} - 1, 1 - ptrdiff_t{kLength}})
       CHECK(qtraj_curve_jumps(curve.get(), QTRAJ_FRAME_BODY, out + shift, out) == QTRAJ_E_OVERLAP);

@@ -80,7 +80,8 @@ TEST_CASE("C API: each side follows its own rule", "[capi][extrapolation]") {
         const Trajectory mixed = tour<double>(variant, before, after);
         for (const double time : {-5.5, 20.25}) {
           std::vector<double> q(4), expected(4);
-          const auto& like = symmetric[static_cast<size_t>(time < 0 ? before : after)];
+          const int32_t rule = time < 0 ? before : after;
+          const auto& like = symmetric[static_cast<size_t>(rule - QTRAJ_EXTRAPOLATE_ERROR)];
           CHECK(sample_at(mixed.get(), time, nullptr, q.data()) ==
                 sample_at(like.get(), time, nullptr, expected.data()));
           CHECK((same_bits(q, expected) || (std::isnan(q[0]) && std::isnan(expected[0]))));

@@ -128,15 +128,17 @@ TEST_CASE("C API: rates are needed by some methods and refused by the others", "
         return status;
       };
       const bool needs = variant.needs_rates(), needs_alpha = variant.needs_alpha();
-      CHECK(create_rates(omega.data(), nullptr) == (needs && !needs_alpha ? QTRAJ_OK : QTRAJ_E_OPTION));
-      CHECK(create_rates(omega.data(), alpha.data()) == (needs_alpha ? QTRAJ_OK : QTRAJ_E_OPTION));
+      CHECK(create_rates(omega.data(), nullptr) == (needs_alpha ? QTRAJ_E_RATES_MISSING
+                                                    : needs     ? QTRAJ_OK
+                                                                : QTRAJ_E_RATES_UNWANTED));
+      CHECK(create_rates(omega.data(), alpha.data()) == (needs_alpha ? QTRAJ_OK : QTRAJ_E_RATES_UNWANTED));
       CHECK(create_rates(nullptr, alpha.data()) == QTRAJ_E_NULL);
       CHECK(create_rates(nullptr, nullptr) == QTRAJ_E_NULL);
-      CHECK(build(options.get(), keys).status == (needs ? QTRAJ_E_OPTION : QTRAJ_OK));
+      CHECK(build(options.get(), keys).status == (needs ? QTRAJ_E_RATES_MISSING : QTRAJ_OK));
       if (variant.end != QTRAJ_END_DEFAULT) continue;
       const bool plain_works = !always_needs_rates(variant.method);
       const qtraj_status status = create(variant.method, keys.times.data(), keys.q.data(), 5, &out, nullptr);
-      CHECK(status == (plain_works ? QTRAJ_OK : QTRAJ_E_OPTION));
+      CHECK(status == (plain_works ? QTRAJ_OK : QTRAJ_E_RATES_MISSING));
       qtraj_destroy(out);
     }
   });
@@ -157,7 +159,7 @@ TEST_CASE("C API: faulty given rates are NOT_FINITE with the index of their key"
             (in_alpha ? rates.alpha : rates.omega)[3 * key + 1] = bad;
             const Built built = build(make_options(variant).get(), keys, rates, frame);
             const bool fine = std::abs(bad) <= limit;
-            CHECK(built.status == (fine ? QTRAJ_OK : QTRAJ_E_NOT_FINITE));
+            CHECK(built.status == (fine ? QTRAJ_OK : std::isfinite(bad) ? QTRAJ_E_RATE_TOO_FAST : QTRAJ_E_NOT_FINITE));
             CHECK(built.bad_index == (fine ? SIZE_MAX : key));
             CHECK((built.trajectory != nullptr) == fine);
           }
@@ -172,7 +174,7 @@ TEST_CASE("C API: of several faulty rates the lowest key is named", "[capi][give
     rates.omega[3 * 3] = 1e200;
     rates.alpha[3 * 2 + 2] = 0x1p238;  // too fast for the interval after it only
     const Built built = build(make_options(variant).get(), keys, rates);
-    CHECK(built.status == QTRAJ_E_NOT_FINITE);
+    CHECK(built.status == QTRAJ_E_RATE_TOO_FAST);
     CHECK(built.bad_index == 2);
     rates.alpha[3 * 4] = kNaN;  // a NaN is found before any curve is made
     CHECK(build(make_options(variant).get(), keys, rates).bad_index == 4);

@@ -4,13 +4,28 @@
 #include <cstring>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "support/capi_handles.hpp"
 #include "support/catch.hpp"
 
 namespace {
 
-constexpr int32_t kLastStatus = QTRAJ_E_INTERNAL;
+// Every status there is, by class.
+struct Class {
+  int32_t value, first, last;
+};
+constexpr Class kClasses[] = {{QTRAJ_CLASS_DONE, QTRAJ_OK, QTRAJ_OK},
+                              {QTRAJ_CLASS_REFUSED, QTRAJ_E_NULL, QTRAJ_E_NO_MEMORY},
+                              {QTRAJ_CLASS_DATA, QTRAJ_E_NOT_FINITE, QTRAJ_E_NO_CONVERGENCE},
+                              {QTRAJ_CLASS_ONE_OF_SEVERAL, QTRAJ_E_AMBIGUOUS, QTRAJ_E_AMBIGUOUS},
+                              {QTRAJ_CLASS_DEFECT, QTRAJ_E_INTERNAL, QTRAJ_E_INTERNAL}};
+std::vector<int32_t> all_statuses() {
+  std::vector<int32_t> statuses;
+  for (const Class& row : kClasses)
+    for (int32_t status = row.first; status <= row.last; ++status) statuses.push_back(status);
+  return statuses;
+}
 
 TEST_CASE("C API: the version that was linked is the version of the header", "[capi][library]") {
   CHECK(std::string(qtraj_version()) == QTRAJ_VERSION_STRING);
@@ -26,7 +41,7 @@ TEST_CASE("C API: version string and number are made of major, minor and patch",
 
 TEST_CASE("C API: every status has a one-line text of its own", "[capi][library]") {
   std::set<std::string> texts;
-  for (int32_t status = QTRAJ_OK; status <= kLastStatus; ++status) {
+  for (const int32_t status : all_statuses()) {
     CAPTURE(status);
     const char* text = qtraj_status_text(status);
     REQUIRE(text != nullptr);
@@ -35,21 +50,32 @@ TEST_CASE("C API: every status has a one-line text of its own", "[capi][library]
     CHECK(std::string(text) != "unknown status");
     texts.insert(text);
   }
-  CHECK(texts.size() == static_cast<size_t>(kLastStatus) + 1);
+  CHECK(texts.size() == all_statuses().size());
 }
 
 TEST_CASE("C API: numbers that are no status have the text \"unknown status\"", "[capi][library]") {
-  const int32_t number = GENERATE(INT32_MIN, INT32_MIN + 1, -1, -17, 1000, INT32_MAX);
+  const int32_t number = GENERATE(INT32_MIN, INT32_MIN + 1, -1, -17, 13, 20, 32, 40, 42, 50, 52, 1000, INT32_MAX);
   CAPTURE(number);
   CHECK(std::string(qtraj_status_text(number)) == "unknown status");
   CHECK(std::string(qtraj_status_text(QTRAJ_STATUS_INT32)) == "unknown status");
 }
 
+TEST_CASE("C API: the class of a status", "[capi][library]") {
+  for (const Class& row : kClasses)
+    for (int32_t status = row.first; status <= row.last; ++status) {
+      CAPTURE(status);
+      CHECK(qtraj_status_class(status) == row.value);
+    }
+  for (const int32_t none : {INT32_MIN, -1, 13, 20, 32, 40, 42, 50, 52, 1000, INT32_MAX}) {
+    CAPTURE(none);
+    CHECK(qtraj_status_class(none) == QTRAJ_CLASS_DEFECT);
+  }
+}
+
 TEST_CASE("C API: texts are static, the same pointer from every call", "[capi][library]") {
   CHECK(qtraj_version() == qtraj_version());
   CHECK(qtraj_target() == qtraj_target());
-  for (int32_t status = QTRAJ_OK; status <= kLastStatus; ++status)
-    CHECK(qtraj_status_text(status) == qtraj_status_text(status));
+  for (const int32_t status : all_statuses()) CHECK(qtraj_status_text(status) == qtraj_status_text(status));
 }
 
 TEST_CASE("C API: the target names an instruction set and one of the two arithmetics", "[capi][library]") {

@@ -92,10 +92,10 @@ TEST_CASE("C API: means judge arguments in the order NULL, COUNT, SIZE, OPTION, 
     check(QTRAJ_E_NULL, [](auto& call) { call.q = nullptr; });
     check(QTRAJ_E_NULL, [](auto& call) { call.mean_out = nullptr; });
     check(QTRAJ_E_NULL, [](auto& call) { call.q = nullptr, call.count = SIZE_MAX; });
-    check(QTRAJ_E_COUNT, [](auto& call) { call.count = 0; });
-    check(QTRAJ_E_COUNT, [](auto& call) { call.count = 0, call.q = nullptr, call.weights = nullptr; });
-    check(QTRAJ_E_COUNT, [](auto& call) { call.count = 0, call.q = nullptr, call.mean_out = nullptr; });
-    check(QTRAJ_E_COUNT, [](auto& call) { call.count = 0, call.tolerance = -1; });
+    check(QTRAJ_E_TOO_FEW, [](auto& call) { call.count = 0; });
+    check(QTRAJ_E_TOO_FEW, [](auto& call) { call.count = 0, call.q = nullptr, call.weights = nullptr; });
+    check(QTRAJ_E_TOO_FEW, [](auto& call) { call.count = 0, call.q = nullptr, call.mean_out = nullptr; });
+    check(QTRAJ_E_TOO_FEW, [](auto& call) { call.count = 0, call.tolerance = -1; });
     constexpr size_t kMost = PTRDIFF_MAX;
     for (const size_t count : {SIZE_MAX, SIZE_MAX / 4 + 2, kMost / (4 * sizeof(Real)) + 1}) {
       check(QTRAJ_E_SIZE, [&](auto& call) { call.count = count; });
@@ -105,9 +105,9 @@ TEST_CASE("C API: means judge arguments in the order NULL, COUNT, SIZE, OPTION, 
     check(QTRAJ_E_OVERLAP, [&](auto& call) { call.mean_out = in_q + 4 * kCount - 1; });
     if (!karcher) return;
     for (const double tolerance : {-1e-300, -1.0, kNaN, -kNaN, kInfinity, -kInfinity})
-      check(QTRAJ_E_OPTION, [&](auto& call) { call.tolerance = tolerance; });
+      check(QTRAJ_E_VALUE, [&](auto& call) { call.tolerance = tolerance; });
     for (const int32_t limit : {0, -1, INT32_MIN})
-      check(QTRAJ_E_OPTION, [&](auto& call) { call.max_iterations = limit, call.mean_out = in_q; });
+      check(QTRAJ_E_VALUE, [&](auto& call) { call.max_iterations = limit, call.mean_out = in_q; });
   });
 }
 

@@ -22,8 +22,8 @@ std::vector<double> effect_of(const qtraj_options* options) {
   const Keyframes<double> keys = closed_tour<double>(7);
   const std::vector<double> rate(21, 0.1);
   Built built = build(options, keys);
-  if (built.status == QTRAJ_E_OPTION) built = build(options, keys, Rates<double>{rate, {}});
-  if (built.status == QTRAJ_E_OPTION) built = build(options, keys, Rates<double>{rate, rate});
+  if (built.status == QTRAJ_E_RATES_MISSING) built = build(options, keys, Rates<double>{rate, {}});
+  if (built.status == QTRAJ_E_RATES_MISSING) built = build(options, keys, Rates<double>{rate, rate});
   if (built.status != QTRAJ_OK) return {static_cast<double>(built.status)};
   std::vector<double> times = times_in(keys.times, 3), q(4 * times.size() + 8);
   times.insert(times.end(), {-100.25, 100.25});
@@ -63,22 +63,29 @@ const std::vector<MethodSettings>& table() {
   return rows;
 }
 
-// Every constant there is, and numbers that are none.
-std::vector<int32_t> candidates(int32_t last) {
+// Every constant of a family, and numbers that are none.
+std::vector<int32_t> candidates(int32_t first, int32_t last) {
   std::vector<int32_t> values(std::begin(kUnknown), std::end(kUnknown));
-  for (int32_t value = 0; value <= last; ++value) values.push_back(value);
+  values.push_back(0);
+  for (int32_t value = first; value <= last; ++value) values.push_back(value);
   return values;
 }
 
+bool is_constant(int32_t value, int32_t first, int32_t last) { return value == 0 || (value >= first && value <= last); }
+
 TEST_CASE("C API: every method takes its own end conditions, periodic on both ends or none", "[capi][options]") {
   for (const MethodSettings& row : table())
-    for (const int32_t start : candidates(QTRAJ_END_PERIODIC))
-      for (const int32_t end : candidates(QTRAJ_END_PERIODIC)) {
+    for (const int32_t start : candidates(QTRAJ_END_CHORD, QTRAJ_END_PERIODIC))
+      for (const int32_t end : candidates(QTRAJ_END_CHORD, QTRAJ_END_PERIODIC)) {
         CAPTURE(row.method, start, end);
         const bool one_periodic = (start == QTRAJ_END_PERIODIC) != (end == QTRAJ_END_PERIODIC);
-        const bool fine = is_one_of(start, row.ends) && is_one_of(end, row.ends) && !one_periodic;
+        const bool has_both = is_one_of(start, row.ends) && is_one_of(end, row.ends);
+        const auto known = [](int32_t value) { return is_constant(value, QTRAJ_END_CHORD, QTRAJ_END_PERIODIC); };
+        const bool valid = known(start) && known(end) && !one_periodic;
         const Options options = options_of(row.method);
-        CHECK(qtraj_options_set_ends(options.get(), start, end) == (fine ? QTRAJ_OK : QTRAJ_E_OPTION));
+        CHECK(qtraj_options_set_ends(options.get(), start, end) == (!valid      ? QTRAJ_E_VALUE
+                                                                    : !has_both ? QTRAJ_E_SETTING
+                                                                                : QTRAJ_OK));
       }
 }
 
@@ -86,33 +93,39 @@ TEST_CASE("C API: tangents and reference are settings of the methods that have t
   const double q_wb[4] = {1, 2, 3, 4};
   for (const MethodSettings& row : table()) {
     const Options options = options_of(row.method);
-    for (const int32_t rule : candidates(QTRAJ_TANGENT_GIVEN)) {
+    for (const int32_t rule : candidates(QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_GIVEN)) {
       CAPTURE(row.method, rule);
-      const qtraj_status expected = is_one_of(rule, row.tangents) ? QTRAJ_OK : QTRAJ_E_OPTION;
+      const bool known = is_constant(rule, QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_GIVEN);
+      const qtraj_status expected = !known ? QTRAJ_E_VALUE : is_one_of(rule, row.tangents) ? QTRAJ_OK : QTRAJ_E_SETTING;
       CHECK(qtraj_options_set_tangents(options.get(), rule) == expected);
     }
-    for (const int32_t rule : candidates(QTRAJ_REFERENCE_GIVEN)) {
+    for (const int32_t rule : candidates(QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_GIVEN)) {
       CAPTURE(row.method, rule);
-      const qtraj_status expected = is_one_of(rule, row.references) ? QTRAJ_OK : QTRAJ_E_OPTION;
+      const bool known = is_constant(rule, QTRAJ_REFERENCE_FIRST, QTRAJ_REFERENCE_GIVEN);
+      const qtraj_status expected = !known                            ? QTRAJ_E_VALUE
+                                    : is_one_of(rule, row.references) ? QTRAJ_OK
+                                                                      : QTRAJ_E_SETTING;
       CHECK(qtraj_options_set_reference(options.get(), rule, rule == QTRAJ_REFERENCE_GIVEN ? q_wb : nullptr) ==
             expected);
       // and an orientation that the rule does not use, or lacks
       CHECK(qtraj_options_set_reference(options.get(), rule, rule == QTRAJ_REFERENCE_GIVEN ? nullptr : q_wb) ==
-            (rule == QTRAJ_REFERENCE_GIVEN ? QTRAJ_E_NULL : QTRAJ_E_OPTION));
+            (rule == QTRAJ_REFERENCE_GIVEN ? QTRAJ_E_NULL : QTRAJ_E_VALUE));
     }
   }
 }
 
 TEST_CASE("C API: every method extrapolates by every rule, periodic on both sides or none", "[capi][options]") {
   for (const int32_t method : all_methods())
-    for (const int32_t before : candidates(QTRAJ_EXTRAPOLATE_PERIODIC))
-      for (const int32_t after : candidates(QTRAJ_EXTRAPOLATE_PERIODIC)) {
+    for (const int32_t before : candidates(QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_PERIODIC))
+      for (const int32_t after : candidates(QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_PERIODIC)) {
         CAPTURE(method, before, after);
-        const auto known = [](int32_t rule) { return rule >= 0 && rule <= QTRAJ_EXTRAPOLATE_PERIODIC; };
+        const auto known = [](int32_t rule) {
+          return is_constant(rule, QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_EXTRAPOLATE_PERIODIC);
+        };
         const bool one_wraps = (before == QTRAJ_EXTRAPOLATE_PERIODIC) != (after == QTRAJ_EXTRAPOLATE_PERIODIC);
         const bool fine = known(before) && known(after) && !one_wraps;
         const Options options = options_of(method);
-        CHECK(qtraj_options_set_extrapolation(options.get(), before, after) == (fine ? QTRAJ_OK : QTRAJ_E_OPTION));
+        CHECK(qtraj_options_set_extrapolation(options.get(), before, after) == (fine ? QTRAJ_OK : QTRAJ_E_VALUE));
       }
 }
 
@@ -126,7 +139,9 @@ TEST_CASE("C API: end rates go to the ends that are GIVEN, and only there", "[ca
             CAPTURE(method, start, end, at_start, at_end);
             const bool missing = (start == QTRAJ_END_GIVEN && !at_start) || (end == QTRAJ_END_GIVEN && !at_end);
             const bool superfluous = (start != QTRAJ_END_GIVEN && at_start) || (end != QTRAJ_END_GIVEN && at_end);
-            const qtraj_status expected = missing ? QTRAJ_E_NULL : superfluous ? QTRAJ_E_OPTION : QTRAJ_OK;
+            const qtraj_status expected = missing       ? QTRAJ_E_RATES_MISSING
+                                          : superfluous ? QTRAJ_E_RATES_UNWANTED
+                                                        : QTRAJ_OK;
             const Options options = options_of(method);
             REQUIRE(qtraj_options_set_ends(options.get(), start, end) == QTRAJ_OK);
             CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_WORLD, at_start ? omega : nullptr,
@@ -139,8 +154,8 @@ TEST_CASE("C API: methods without given ends refuse end rates", "[capi][options]
   for (const int32_t method :
        {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_LOG_SPLINE, QTRAJ_HERMITE, QTRAJ_ROTATION_QUINTIC, QTRAJ_QUATERNION_QUINTIC}) {
     const Options options = options_of(method);
-    CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, omega, omega) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, nullptr, nullptr) == QTRAJ_E_OPTION);
+    CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, omega, omega) == QTRAJ_E_SETTING);
+    CHECK(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, nullptr, nullptr) == QTRAJ_E_SETTING);
   }
 }
 
@@ -159,19 +174,19 @@ TEST_CASE("C API: a setter that fails has no effect", "[capi][options]") {
             QTRAJ_OK);
     const std::vector<double> before = effect_of(options);
 
-    CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_NATURAL) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_PERIODIC) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, nullptr) == QTRAJ_E_NULL);
-    CHECK(qtraj_options_set_end_rates(options, 0, other, other) == QTRAJ_E_OPTION);
+    CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_NATURAL) == QTRAJ_E_SETTING);
+    CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_PERIODIC) == QTRAJ_E_VALUE);
+    CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, nullptr) == QTRAJ_E_RATES_MISSING);
+    CHECK(qtraj_options_set_end_rates(options, 0, other, other) == QTRAJ_E_VALUE);
     for (const double(&bad)[4] : not_finite) {
       CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, bad) == QTRAJ_E_NOT_FINITE);
       CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, bad, other) == QTRAJ_E_NOT_FINITE);
     }
-    CHECK(qtraj_options_set_tangents(options, 1000) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_MEAN, nullptr) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_ERROR, -1) == QTRAJ_E_OPTION);
+    CHECK(qtraj_options_set_tangents(options, 1000) == QTRAJ_E_VALUE);
+    CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_MEAN, nullptr) == QTRAJ_E_SETTING);
+    CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_ERROR, -1) == QTRAJ_E_VALUE);
     CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_HOLD) ==
-          QTRAJ_E_OPTION);
+          QTRAJ_E_VALUE);
     CHECK(same_bits(effect_of(options), before));
   }
   SECTION("of LOG_SPLINE") {
@@ -183,10 +198,10 @@ TEST_CASE("C API: a setter that fails has no effect", "[capi][options]") {
     for (const double(&bad)[4] : not_finite)
       CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_GIVEN, bad) == QTRAJ_E_NOT_FINITE);
     CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_GIVEN, zero) == QTRAJ_E_ZERO_NORM);
-    CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_FIRST, q_wb) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_reference(options, INT32_MIN, nullptr) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_DEFAULT) == QTRAJ_E_OPTION);
-    CHECK(qtraj_options_set_ends(options, QTRAJ_END_NOT_A_KNOT, QTRAJ_END_ESTIMATED) == QTRAJ_E_OPTION);
+    CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_FIRST, q_wb) == QTRAJ_E_VALUE);
+    CHECK(qtraj_options_set_reference(options, INT32_MIN, nullptr) == QTRAJ_E_VALUE);
+    CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_DEFAULT) == QTRAJ_E_SETTING);
+    CHECK(qtraj_options_set_ends(options, QTRAJ_END_NOT_A_KNOT, QTRAJ_END_ESTIMATED) == QTRAJ_E_SETTING);
     CHECK(same_bits(effect_of(options), before));
   }
 }
@@ -195,7 +210,6 @@ TEST_CASE("C API: a NULL pointer comes before an unknown constant", "[capi][opti
   const double omega[3] = {0, 0, 0};
   const Options squad = options_of(QTRAJ_SQUAD), slerp = options_of(QTRAJ_SLERP);
   REQUIRE(qtraj_options_set_ends(squad.get(), QTRAJ_END_GIVEN, QTRAJ_END_GIVEN) == QTRAJ_OK);
-  CHECK(qtraj_options_set_end_rates(squad.get(), 1000, omega, nullptr) == QTRAJ_E_NULL);
   CHECK(qtraj_options_set_reference(slerp.get(), QTRAJ_REFERENCE_GIVEN, nullptr) == QTRAJ_E_NULL);
   CHECK(qtraj_options_set_ends(nullptr, 1000, 1000) == QTRAJ_E_NULL);
   CHECK(qtraj_options_set_end_rates(nullptr, 1000, omega, omega) == QTRAJ_E_NULL);
@@ -209,7 +223,7 @@ TEST_CASE("C API: another end condition drops the rate that was stored for the e
   const Options options = options_of(QTRAJ_SQUAD);
   const Keyframes<double> keys = closed_tour<double>(5);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_GIVEN, QTRAJ_END_CHORD) == QTRAJ_OK);
-  CHECK(build(options.get(), keys).status == QTRAJ_E_OPTION);  // no rate yet
+  CHECK(build(options.get(), keys).status == QTRAJ_E_RATES_MISSING);  // no rate yet
   REQUIRE(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, omega, nullptr) == QTRAJ_OK);
   CHECK(build(options.get(), keys).status == QTRAJ_OK);
   // setting the other end keeps it
@@ -217,7 +231,7 @@ TEST_CASE("C API: another end condition drops the rate that was stored for the e
   CHECK(build(options.get(), keys).status == QTRAJ_OK);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_CHORD, QTRAJ_END_ESTIMATED) == QTRAJ_OK);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_GIVEN, QTRAJ_END_ESTIMATED) == QTRAJ_OK);
-  CHECK(build(options.get(), keys).status == QTRAJ_E_OPTION);
+  CHECK(build(options.get(), keys).status == QTRAJ_E_RATES_MISSING);
 }
 
 TEST_CASE("C API: DEFAULT stands for the documented constant", "[capi][options]") {

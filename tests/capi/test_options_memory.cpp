@@ -24,7 +24,7 @@ TEST_CASE("C API: options_create makes options of known methods and else writes 
   for (const int32_t method : {0, -1, 1000, INT32_MAX, INT32_MIN}) {
     CAPTURE(method);
     qtraj_options* options = stale;
-    CHECK(qtraj_options_create(method, &options) == QTRAJ_E_OPTION);
+    CHECK(qtraj_options_create(method, &options) == QTRAJ_E_VALUE);
     CHECK(options == nullptr);
     CHECK(qtraj_options_create(method, nullptr) == QTRAJ_E_NULL);
   }
@@ -78,8 +78,8 @@ TEST_CASE("C API: options_init refuses memory that is too small or misaligned an
     CHECK(status_of(memory + offset, QTRAJ_OPTIONS_BYTES, QTRAJ_SLERP) == QTRAJ_E_BUFFER);
   // NULL, then OPTION, then BUFFER
   CHECK(status_of(nullptr, 0, 0) == QTRAJ_E_NULL);
-  CHECK(status_of(memory + 1, 0, 0) == QTRAJ_E_OPTION);
-  CHECK(status_of(memory + 1, 0, 1000) == QTRAJ_E_OPTION);
+  CHECK(status_of(memory + 1, 0, 0) == QTRAJ_E_VALUE);
+  CHECK(status_of(memory + 1, 0, 1000) == QTRAJ_E_VALUE);
   CHECK(qtraj_options_init(memory, sizeof memory, QTRAJ_SLERP, nullptr) == QTRAJ_E_NULL);
   CHECK(untouched());
   CHECK(status_of(memory + 8, SIZE_MAX, QTRAJ_SLERP) == QTRAJ_OK);

@@ -113,7 +113,7 @@ TEST_CASE("C API: slerp and nlerp judge arguments in order and then leave output
       call = good;
       call.path = path;
       call.a = q.data();
-      check(QTRAJ_E_OPTION, call);
+      check(QTRAJ_E_VALUE, call);
     }
   });
 }

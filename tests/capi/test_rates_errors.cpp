@@ -85,8 +85,8 @@ TEST_CASE(
       check(QTRAJ_E_SIZE, curve.get(), 0, times, count, q, q, q);
     }
     for (const int32_t frame : {0, 3, -1, 1000, INT32_MAX, INT32_MIN}) {
-      check(QTRAJ_E_OPTION, curve.get(), frame, times, 3, q, omega, alpha);
-      check(QTRAJ_E_OPTION, curve.get(), frame, times, 3, q, q, q);
+      check(QTRAJ_E_VALUE, curve.get(), frame, times, 3, q, omega, alpha);
+      check(QTRAJ_E_VALUE, curve.get(), frame, times, 3, q, q, q);
     }
     check(QTRAJ_E_OVERLAP, curve.get(), kBody, times, 3, q, q, none);
     check(QTRAJ_E_OVERLAP, curve.get(), kBody, times, 3, none, omega, omega);
@@ -110,7 +110,7 @@ TEST_CASE("C API: sample_rates_at judges arguments like sample_rates", "[capi][r
     CHECK(sample_rates_at(missing, 0, kNaN, &cursor, none, none, none) == QTRAJ_E_NULL);
     CHECK(sample_rates_at(curve.get(), 0, -1.9, &cursor, none, none, none) == QTRAJ_E_NULL);
     for (const int32_t frame : {0, 3, -1, INT32_MAX, INT32_MIN})
-      CHECK(sample_rates_at(curve.get(), frame, kNaN, &cursor, q, q, alpha) == QTRAJ_E_OPTION);
+      CHECK(sample_rates_at(curve.get(), frame, kNaN, &cursor, q, q, alpha) == QTRAJ_E_VALUE);
     CHECK(sample_rates_at(curve.get(), QTRAJ_FRAME_BODY, -1.9, &cursor, q, q, alpha) == QTRAJ_E_OVERLAP);
     CHECK(sample_rates_at(curve.get(), QTRAJ_FRAME_BODY, -1.9, &cursor, q, q + 3, alpha) == QTRAJ_E_OVERLAP);
     CHECK(sample_rates_at(curve.get(), QTRAJ_FRAME_BODY, kNaN, &cursor, none, omega, omega + 2) == QTRAJ_E_OVERLAP);

@@ -256,8 +256,10 @@ TEST_CASE("C API: the energy of a million samples is as good as that of three", 
   for (size_t k = 0; k < kCount; ++k)
     samples.add(0.25 * static_cast<double>(k), k % 2 ? test::Quaternion{1, 0.3, 0, 0} : test::Quaternion{1, 0, 0, 0.1});
   double three = 0, all = 0;
-  REQUIRE(qtraj_estimate_energy(1, samples.times.data(), samples.q.data(), 3, &three, nullptr) == QTRAJ_OK);
-  REQUIRE(qtraj_estimate_energy(1, samples.times.data(), samples.q.data(), kCount, &all, nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_estimate_energy(QTRAJ_FRAME_BODY, samples.times.data(), samples.q.data(), 3, &three, nullptr) ==
+          QTRAJ_OK);
+  REQUIRE(qtraj_estimate_energy(QTRAJ_FRAME_BODY, samples.times.data(), samples.q.data(), kCount, &all, nullptr) ==
+          QTRAJ_OK);
   CHECK(std::abs(all / (kCount - 2) - three) <= 8 * kEps * three);
 }
 

@@ -33,9 +33,9 @@ TEST_CASE("C API: diagnostics of good samples are OK and have no bad_index", "[c
       CHECK(!arguments.outputs_untouched());
     }
   SampleArguments a;
-  CHECK(qtraj_estimate_omega(1, a.times, a.q, 8, a.t_mid_out, a.omega_out, nullptr) == QTRAJ_OK);
-  CHECK(qtraj_estimate_energy(1, a.times, a.q, 8, a.energy, nullptr) == QTRAJ_OK);
-  CHECK(qtraj_estimate_jumps(1, a.times, a.q, 8, a.knot_times, 6, a.jump_out, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_omega(QTRAJ_FRAME_BODY, a.times, a.q, 8, a.t_mid_out, a.omega_out, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_energy(QTRAJ_FRAME_BODY, a.times, a.q, 8, a.energy, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_estimate_jumps(QTRAJ_FRAME_BODY, a.times, a.q, 8, a.knot_times, 6, a.jump_out, nullptr) == QTRAJ_OK);
   CHECK(qtraj_keyframe_errors(a.times, a.q, 8, a.times, a.q, 8, a.error_out, a.index_out, nullptr) == QTRAJ_OK);
   for (size_t k = 0; k < 8; ++k) CHECK((a.errors[k] == 0 && a.indices[k] == k));
 }
@@ -64,9 +64,9 @@ TEST_CASE("C API: diagnostics of too few samples are COUNT, of none with NULL ar
   const size_t least[kFunctions] = {2, 3, 2, 1};
   for (int k = 0; k < kFunctions; ++k)
     for (size_t count = 0; count < least[k]; ++count)
-      check_argument_error(static_cast<SampleFunction>(k), QTRAJ_E_COUNT, [&](SampleArguments& a) {
+      check_argument_error(static_cast<SampleFunction>(k), QTRAJ_E_TOO_FEW, [&](SampleArguments& a) {
         a.count = count;
-        a.frame = 0;  // COUNT before OPTION
+        a.frame = 0;  // TOO_FEW before VALUE
         if (count == 0) a.times = a.q = nullptr;
       });
   for (int k = 0; k < kFunctions; ++k) {
@@ -90,7 +90,7 @@ TEST_CASE("C API: diagnostics of more than memory holds are SIZE", "[capi][sampl
     for (int k = 0; k < kFunctions; ++k)
       check_argument_error(static_cast<SampleFunction>(k), QTRAJ_E_SIZE, [&](SampleArguments& a) {
         a.count = count;
-        a.frame = 0;  // SIZE before OPTION
+        a.frame = 0;  // SIZE before VALUE
       });
     check_argument_error(kErrors, QTRAJ_E_SIZE, [&](SampleArguments& a) { a.key_count = count; });
   }
@@ -101,7 +101,7 @@ TEST_CASE("C API: diagnostics of more than memory holds are SIZE", "[capi][sampl
 TEST_CASE("C API: diagnostics in an unknown frame are OPTION", "[capi][sample_diagnostics][errors]") {
   for (const SampleFunction function : {kOmega, kEnergy, kJumps})
     for (const int32_t frame : {0, 3, -1, 1000, INT32_MAX, INT32_MIN})
-      check_argument_error(function, QTRAJ_E_OPTION, [&](SampleArguments& a) {
+      check_argument_error(function, QTRAJ_E_VALUE, [&](SampleArguments& a) {
         a.frame = frame;
         a.omega_out = a.jump_out = a.energy = a.samples_q.data();  // OPTION before OVERLAP
       });

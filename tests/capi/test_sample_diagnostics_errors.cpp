@@ -92,7 +92,7 @@ TEST_CASE("C API: sample times are judged by the finite times before them", "[ca
       {{0, 1, 2, 100, 4, 5}, {3, 4}, QTRAJ_E_TIME_ORDER, 4},
       {{0, 5, kNaN, 3, 6, 7}, {1, 2, 3}, QTRAJ_E_NOT_FINITE, 2},
       {{kNaN, 5, 5, 6, 7, 8}, {0, 1, 2}, QTRAJ_E_NOT_FINITE, 0},
-      {{-DBL_MAX, 0, DBL_MAX / 2, 1e308, 1.2e308, 1.3e308}, {1, 2, 3, 4}, QTRAJ_E_TIME_RANGE, 2},
+      {{-DBL_MAX, 0, DBL_MAX / 2, 1e308, 1.2e308, 1.3e308}, {1, 2, 3, 4}, QTRAJ_E_TIME_SPAN, 2},
       {{DBL_MAX, -DBL_MAX, -DBL_MAX / 2, 1e308, 1.2e308, 1.3e308}, {0, 1, 2, 3}, QTRAJ_E_TIME_ORDER, 1},
       {{0, 5e-324, 1, 2, 3, 4}, {0, 1}, QTRAJ_E_TIME_ORDER, 1},
       {{0, 7.4e-155, 1, 2, 3, 4}, {0, 1}, QTRAJ_E_TIME_ORDER, 1},

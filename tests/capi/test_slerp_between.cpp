@@ -91,16 +91,11 @@ TEST_CASE("C API: slerp_between wants its end times in order, apart, and no more
   const struct {
     double time_a, time_b;
     qtraj_status status;
-  } cases[] = {{1, 1, QTRAJ_E_TIME_ORDER},
-               {1, 0, QTRAJ_E_TIME_ORDER},
-               {0, 1e-160, QTRAJ_E_TIME_ORDER},
-               {0, -0.0, QTRAJ_E_TIME_ORDER},
-               {-1e308, 1e308, QTRAJ_E_TIME_RANGE},
-               {kNaN, 1, QTRAJ_E_NOT_FINITE},
-               {0, kNaN, QTRAJ_E_NOT_FINITE},
-               {-kInfinity, 0, QTRAJ_E_NOT_FINITE},
-               {0, kInfinity, QTRAJ_E_NOT_FINITE},
-               {0, 1e-150, QTRAJ_OK},
+  } cases[] = {{1, 1, QTRAJ_E_TIME_ORDER},         {1, 0, QTRAJ_E_TIME_ORDER},
+               {0, 1e-160, QTRAJ_E_TIME_ORDER},    {0, -0.0, QTRAJ_E_TIME_ORDER},
+               {-1e308, 1e308, QTRAJ_E_TIME_SPAN}, {kNaN, 1, QTRAJ_E_NOT_FINITE},
+               {0, kNaN, QTRAJ_E_NOT_FINITE},      {-kInfinity, 0, QTRAJ_E_NOT_FINITE},
+               {0, kInfinity, QTRAJ_E_NOT_FINITE}, {0, 1e-150, QTRAJ_OK},
                {-8e307, 8e307, QTRAJ_OK}};
   const Quaternion a = {1, 0, 0, 0}, b = {0, 1, 0, 0}, zero = {}, bad = {kNaN, 0, 0, 0};
   for (const auto& at : cases) {

@@ -62,12 +62,12 @@ TEST_CASE("C API: a spline without an array it needs is NULL", "[capi][spline][e
 
 TEST_CASE("C API: a spline through fewer than two points is COUNT", "[capi][spline][errors]") {
   for (const size_t count : {0, 1})
-    check_argument_error(QTRAJ_E_COUNT, [&](Call& call) {
+    check_argument_error(QTRAJ_E_TOO_FEW, [&](Call& call) {
       call.count = count;
       call.query_count = SIZE_MAX;  // COUNT before SIZE, OPTION
       call.start = -1;
     });
-  CHECK(qtraj_cubic_spline(nullptr, nullptr, 0, 0, 0, 0, nullptr, 0, nullptr, nullptr) == QTRAJ_E_COUNT);
+  CHECK(qtraj_cubic_spline(nullptr, nullptr, 0, 0, 0, 0, nullptr, 0, nullptr, nullptr) == QTRAJ_E_TOO_FEW);
 }
 
 TEST_CASE("C API: a spline larger than memory is SIZE", "[capi][spline][errors]") {
@@ -98,7 +98,7 @@ TEST_CASE("C API: ends that a scalar spline does not have, and one periodic end,
   for (const int32_t end : {QTRAJ_END_CHORD + 0, QTRAJ_END_ESTIMATED + 0, QTRAJ_END_GIVEN + 0, 7, -1, 1000, INT32_MAX,
                             INT32_MIN, QTRAJ_END_PERIODIC + 0})
     for (const bool at_start : {false, true})
-      check_argument_error(QTRAJ_E_OPTION, [&](Call& call) {
+      check_argument_error(QTRAJ_E_VALUE, [&](Call& call) {
         (at_start ? call.start : call.end) = end;
         call.y_out = call.y.data() + 1;  // OPTION before OVERLAP
       });
@@ -194,7 +194,7 @@ TEST_CASE("C API: faulty points make every row NaN and come before faulty querie
   Call wide;
   wide.x = {-DBL_MAX, 0, 1, 2, DBL_MAX};
   wide.x_in = wide.x.data();
-  CHECK(wide.run() == QTRAJ_E_TIME_RANGE);
+  CHECK(wide.run() == QTRAJ_E_TIME_SPAN);
   CHECK(wide.bad_index == 4);
 }
 

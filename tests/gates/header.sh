@@ -23,3 +23,14 @@ for standard in c++98 c++11 c++14 c++17 c++20; do
   echo "$cxx -std=$standard"
   "$cxx" -x c++ -std=$standard $warnings -fsyntax-only -I "$folder" - <<<"$use"
 done
+
+# A status that is ignored is a warning, unless it is cast to void or QTRAJ_NODISCARD is defined as nothing.
+ignore='#include "qtraj.h"
+void ignore(qtraj_options* options);
+void ignore(qtraj_options* options) { CAST qtraj_options_set_tangents(options, QTRAJ_TANGENT_DEFAULT); }'
+accepts() { "$@" $warnings -fsyntax-only -I "$folder" - <<<"$ignore" 2>/dev/null; }
+for compile in "$cc -x c -std=c99" "$cc -x c -std=c17" "$cxx -x c++ -std=c++11" "$cxx -x c++ -std=c++17"; do
+  echo "$compile, status ignored"
+  if accepts $compile -DCAST=; then echo "no warning"; exit 1; fi
+  accepts $compile "-DCAST=(void)" && accepts $compile -DCAST= -DQTRAJ_NODISCARD=
+done

@@ -56,7 +56,7 @@ row=$(sed -n '3s/  *[^ ]* degrees$//p' app.txt)
 
 # ---- Claims ----
 
-"$CC" -std=c99 -O1 -Wall -Wextra -pedantic -Wconversion -Werror "$SOURCE"/tests/package/readme/*.c -o claims \
+"$CC" -std=c99 -O1 -Wall -Wextra -pedantic -Wconversion -Werror -DQTRAJ_NODISCARD= "$SOURCE"/tests/package/readme/*.c -o claims \
   $(pkg-config --static --cflags qtraj) -I. -Wl,--wrap=malloc "$libdir/libqtraj.a" -lm
 ./claims || failed=1
 

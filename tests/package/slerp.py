@@ -14,7 +14,7 @@ library.qtraj_create.argtypes = [
 library.qtraj_sample.argtypes = [ctypes.c_void_p, doubles, ctypes.c_size_t, doubles, size_out]
 
 SLERP = 1
-TIME_ORDER = 10
+TIME_ORDER = 23
 half = math.sqrt(0.5)
 keys = (ctypes.c_double * 12)(1, 0, 0, 0, half, 0, 0, half, 0, 0, 0, 1)
 trajectory = ctypes.c_void_p()

@@ -12,7 +12,7 @@ import numpy
 import scipy
 from scipy.spatial.transform import Rotation, RotationSpline
 
-ROTATION_SPLINE, END_CHORD, FRAME_BODY, FRAME_WORLD = 5, 1, 1, 2
+ROTATION_SPLINE, END_CHORD, FRAME_BODY, FRAME_WORLD = 5, 201, 101, 102
 CURVES = 100  # for each size of steps
 CONVERGED = 1e-9  # largest jump of alpha at a knot in units of the largest |alpha|, left when SciPy was done
 TOLERANCE = {"q": 3e-9, "omega": 3e-9, "alpha": 3e-9}  # rad; relative

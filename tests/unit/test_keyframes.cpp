@@ -64,7 +64,7 @@ TEST_CASE("knots are judged in the order of the contract", "[knots]") {
                {0.0, tiny, Status::time_order},
                {0.0, small, Status::ok},
                {0.0, 5e-324, Status::time_order},
-               {-1e308, 1e308, Status::time_range},
+               {-1e308, 1e308, Status::time_span},
                {-8e307, 8e307, Status::ok},
                {-DBL_MAX, 0.0, Status::ok}};
   for (const auto& c : cases) {

@@ -95,14 +95,14 @@ void check_errors(void) {
   }
   {
     const double far[2] = {-1.7e308, 1.7e308};
-    CHECK(qtraj_create(QTRAJ_SLERP, far, keys[0], 2, &none, &bad) == QTRAJ_E_TIME_RANGE && bad == 1);
+    CHECK(qtraj_create(QTRAJ_SLERP, far, keys[0], 2, &none, &bad) == QTRAJ_E_TIME_SPAN && bad == 1);
   }
   CHECK(qtraj_create(QTRAJ_LOG_SPLINE, uneven, spread[0], 4, &none, &bad) == QTRAJ_E_NOT_FINITE && none == NULL);
 
   none = (qtraj_trajectory*)&none; /* not NULL */
-  CHECK(qtraj_create(0, times, keys[0], count, &none, &bad) == QTRAJ_E_OPTION && none == NULL && bad == SIZE_MAX);
+  CHECK(qtraj_create(0, times, keys[0], count, &none, &bad) == QTRAJ_E_VALUE && none == NULL && bad == SIZE_MAX);
   CHECK(qtraj_create(QTRAJ_SLERP, NULL, keys[0], count, &none, NULL) == QTRAJ_E_NULL);
-  CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], 1, &none, NULL) == QTRAJ_E_COUNT);
+  CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], 1, &none, NULL) == QTRAJ_E_TOO_FEW);
   CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], SIZE_MAX / 8, &none, NULL) == QTRAJ_E_SIZE);
 
   check_limits();

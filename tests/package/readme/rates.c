@@ -13,6 +13,7 @@ static void run_snippet(const qtraj_trajectory* curve) {
     const double* times = sample_times;
     const size_t count = rows;
 #include "rates_snippet.c"
+    CHECK(one == QTRAJ_OK && many == QTRAJ_OK);
     CHECK(fabs(length(omega) - length(omegas[1])) < 1e-14 && fabs(length(alpha) - length(alphas[1])) < 1e-13);
     CHECK(fabs(q[0]) < 1);
   }

@@ -33,23 +33,25 @@ static void check_snippet(void) {
 
 static void check_end_conditions(void) {
   static const char taken[methods + 1][8] = {"", "", "", "DC  EGP", "D NK  P", "DCN EGP", "", "", ""};
-  static const char letters[] = "DCNKEGP"; /* in the order of the constants */
-  int method, end;
+  static const char letters[] = "DCNKEGP";
+  static const int32_t ends[7] = {QTRAJ_END_DEFAULT,   QTRAJ_END_CHORD, QTRAJ_END_NATURAL, QTRAJ_END_NOT_A_KNOT,
+                                  QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN, QTRAJ_END_PERIODIC};
+  int method, k;
   for (method = 1; method <= methods; ++method) {
     qtraj_options* options = options_of(method);
-    for (end = QTRAJ_END_DEFAULT; end <= QTRAJ_END_PERIODIC; ++end) {
-      const int yes = strchr(taken[method], letters[end]) != NULL;
-      CHECK(qtraj_options_set_ends(options, end, end) == (yes ? QTRAJ_OK : QTRAJ_E_OPTION));
-      if (yes && end != QTRAJ_END_PERIODIC)
-        CHECK(qtraj_options_set_ends(options, end, QTRAJ_END_PERIODIC) == QTRAJ_E_OPTION);
+    for (k = 0; k < 7; ++k) {
+      const int yes = strchr(taken[method], letters[k]) != NULL;
+      CHECK(qtraj_options_set_ends(options, ends[k], ends[k]) == (yes ? QTRAJ_OK : QTRAJ_E_SETTING));
+      if (ends[k] != QTRAJ_END_PERIODIC)
+        CHECK(qtraj_options_set_ends(options, ends[k], QTRAJ_END_PERIODIC) == QTRAJ_E_VALUE);
     }
     CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_DEFAULT) ==
-          (method == QTRAJ_SQUAD ? QTRAJ_OK : QTRAJ_E_OPTION));
+          (method == QTRAJ_SQUAD ? QTRAJ_OK : QTRAJ_E_SETTING));
     CHECK(qtraj_options_set_reference(options, QTRAJ_REFERENCE_DEFAULT, NULL) ==
-          (method == QTRAJ_LOG_SPLINE ? QTRAJ_OK : QTRAJ_E_OPTION));
+          (method == QTRAJ_LOG_SPLINE ? QTRAJ_OK : QTRAJ_E_SETTING));
     CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_ERROR) == QTRAJ_OK);
     CHECK(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_HOLD) ==
-          QTRAJ_E_OPTION);
+          QTRAJ_E_VALUE);
     qtraj_options_destroy(options);
   }
 }
@@ -62,7 +64,7 @@ static void check_defaults(void) {
   CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_MEAN_VELOCITY) == QTRAJ_OK);
   CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) > 1e-4);
   /* a setter that fails has no effect */
-  CHECK(qtraj_options_set_tangents(options, 99) == QTRAJ_E_OPTION);
+  CHECK(qtraj_options_set_tangents(options, 99) == QTRAJ_E_VALUE);
   CHECK(difference(with(options, keys), build(QTRAJ_SQUAD, count, times, keys)) > 1e-4);
   qtraj_options_destroy(options);
 
@@ -87,12 +89,12 @@ static void check_given_rates(void) {
   int i;
 
   /* a rate exactly for the ends that are GIVEN at that moment */
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_OPTION);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_RATES_UNWANTED);
   CHECK(qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_CHORD) == QTRAJ_OK);
-  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_E_OPTION && bad == SIZE_MAX);
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_OPTION);
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, NULL, NULL) == QTRAJ_E_NULL);
-  CHECK(qtraj_options_set_end_rates(options, 0, slow, NULL) == QTRAJ_E_OPTION);
+  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_E_RATES_MISSING && bad == SIZE_MAX);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_RATES_UNWANTED);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, NULL, NULL) == QTRAJ_E_RATES_MISSING);
+  CHECK(qtraj_options_set_end_rates(options, 0, slow, NULL) == QTRAJ_E_VALUE);
   CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, nan_rate, NULL) == QTRAJ_E_NOT_FINITE);
   CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, NULL) == QTRAJ_OK);
   CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_OK && bad == SIZE_MAX);
@@ -109,7 +111,7 @@ static void check_given_rates(void) {
   }
   CHECK(qtraj_options_set_ends(options, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT) == QTRAJ_OK);
   CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN) == QTRAJ_OK);
-  CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_OPTION); /* the rates are missing */
+  CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_RATES_MISSING); /* the rates are missing */
   CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, NULL));
   CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_WORLD, times, keys[0], omega_world[0], NULL, count, &b, NULL));
   CHECK(distance(a, b) < 1e-14);
@@ -128,7 +130,7 @@ static void check_given_rates(void) {
   /* too fast: |h omega/2 - L| at key 3 just below and just above 2 pi; there h = 1.5 before it, L is small */
   omega_body[3][0] = -8.5;
   CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, &bad) ==
-        QTRAJ_E_OPTION);
+        QTRAJ_E_RATE_TOO_FAST);
   CHECK(a == NULL && bad == 3);
   omega_body[3][0] = -7.0;
   CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, &bad) ==
@@ -194,7 +196,7 @@ static void check_needs(void) {
       const qtraj_status status =
           given == 0 ? qtraj_create(method, times, keys[0], count, &curve, NULL)
                      : create_given(method, times, keys, zero, given == 2 ? zero : NULL, count, &curve, NULL);
-      CHECK(status == (given == needed ? QTRAJ_OK : QTRAJ_E_OPTION));
+      CHECK(status == (given < needed ? QTRAJ_E_RATES_MISSING : given > needed ? QTRAJ_E_RATES_UNWANTED : QTRAJ_OK));
       qtraj_destroy(curve);
     }
   }
