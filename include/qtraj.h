@@ -11,7 +11,7 @@
  *   frame. Radians, seconds. Arrays are contiguous: [count][4] q, [count][3] vectors, [count][9] row-major matrices.
  * @par Results
  *   The status is the contract. Mistakes of the call (NULL, HANDLE, TOO_FEW, COUNT, SIZE, VALUE, SETTING,
- *   RATES_MISSING, RATES_UNWANTED, BUFFER, OVERLAP) are judged first, in this order, and NO_MEMORY after them: data
+ *   INPUT_MISSING, INPUT_UNWANTED, BUFFER, OVERLAP) are judged first, in this order, and NO_MEMORY after them: data
  *   outputs are untouched, "nothing is written". Array functions process every row: a row at fault becomes NaN, the
  *   others are right, the status is that of the first row at fault. At one row NOT_FINITE comes first, then ZERO_NORM,
  *   then the others. Under AMBIGUOUS the row holds one valid answer, chosen by the documented rule. Compilers warn
@@ -123,11 +123,11 @@ QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   QTRAJ_E_VALUE = 6,
   /** A setting that the method does not have, such as tangents of a SLERP: leave it out, or choose another method. */
   QTRAJ_E_SETTING = 7,
-  /** Rates that the method or the setting needs are missing: pass them to qtraj_create_with_rates() or qtraj_init(),
-   * those of GIVEN ends to qtraj_options_set_end_rates(). */
-  QTRAJ_E_RATES_MISSING = 8,
-  /** Rates that the method or the setting does not use: pass NULL, or choose a method that takes rates. */
-  QTRAJ_E_RATES_UNWANTED = 9,
+  /** Rates, or turns, that the method or a setting needs are missing: pass them to qtraj_create_with_rates(),
+   * qtraj_create_with_turns() or qtraj_init(), those of GIVEN ends to qtraj_options_set_end_rates(). */
+  QTRAJ_E_INPUT_MISSING = 8,
+  /** Rates, or turns, that neither the method nor a setting uses: pass NULL, or choose a method that takes them. */
+  QTRAJ_E_INPUT_UNWANTED = 9,
   /** Memory of the caller too small, or not aligned to 8 bytes: QTRAJ_OPTIONS_BYTES and qtraj_init_size() tell how much
    * is needed. */
   QTRAJ_E_BUFFER = 10,
@@ -342,7 +342,7 @@ QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t st
  * @param omega_end    [3], rad/s, at the last key, copied; NULL where that end is not QTRAJ_END_GIVEN
  * @return QTRAJ_OK, or without effect
  *   - QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_SETTING (a method without END_GIVEN);
- *   - QTRAJ_E_RATES_MISSING, QTRAJ_E_RATES_UNWANTED: no rate for an end that is GIVEN, or one for an end that is not;
+ *   - QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED: no rate for an end that is GIVEN, or one for an end that is not;
  *   - QTRAJ_E_NOT_FINITE: a rate */
 QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
                                                    const double* omega_end);
@@ -394,7 +394,7 @@ QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, i
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_RATES_MISSING (a method
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
  * that needs rates), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
@@ -413,7 +413,7 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_RATES_MISSING (a method
+ *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
  * that needs rates), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
@@ -430,7 +430,7 @@ QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, con
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_RATES_MISSING (at all keys, or at a GIVEN
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (at all keys, or at a GIVEN
  * end where none was set), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
@@ -453,7 +453,7 @@ QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, c
  * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_RATES_MISSING (at all keys, or at a GIVEN
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (at all keys, or at a GIVEN
  * end where none was set), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
@@ -478,7 +478,7 @@ QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* option
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_RATES_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_RATES_UNWANTED: omega or alpha for a method or
+ *   - QTRAJ_E_INPUT_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a method or
  *     setting that does not use them;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
@@ -503,7 +503,7 @@ QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_RATES_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_RATES_UNWANTED: omega or alpha for a method or
+ *   - QTRAJ_E_INPUT_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a method or
  *     setting that does not use them;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
@@ -535,8 +535,8 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_RATES_MISSING,
- *     QTRAJ_E_RATES_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_INPUT_MISSING,
+ *     QTRAJ_E_INPUT_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
@@ -563,8 +563,8 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
- *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_RATES_MISSING,
- *     QTRAJ_E_RATES_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_INPUT_MISSING,
+ *     QTRAJ_E_INPUT_UNWANTED, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP: memory is untouched;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;

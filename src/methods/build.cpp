@@ -62,12 +62,12 @@ Status check_settings(const Options& options, const KeyframeInput& input, Frame 
   const bool needs_omega = row.needs_omega || options.tangents == Tangent::given;
   const bool has_omega = input.omega.data != nullptr, has_alpha = input.alpha.data != nullptr;
   if (has_omega && !is_known(rate_frame)) return Status::value;
-  if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha)) return Status::rates_missing;
+  if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha)) return Status::input_missing;
   const bool start_rate_missing = options.start.condition == End::given && !options.start.has_rate;
   const bool end_rate_missing = options.end.condition == End::given && !options.end.has_rate;
-  if (start_rate_missing || end_rate_missing) return Status::rates_missing;
+  if (start_rate_missing || end_rate_missing) return Status::input_missing;
   const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha);
-  return unwanted ? Status::rates_unwanted : Status::ok;
+  return unwanted ? Status::input_unwanted : Status::ok;
 }
 
 Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,

@@ -17,8 +17,8 @@ bool load_finite(const double* from, Vector& to) {
 
 // Whether `omega` is there where the end needs it and only there.
 Status check_end_rate(const EndSetting& end, const double* omega) {
-  if (end.condition == End::given && !omega) return Status::rates_missing;
-  if (end.condition != End::given && omega) return Status::rates_unwanted;
+  if (end.condition == End::given && !omega) return Status::input_missing;
+  if (end.condition != End::given && omega) return Status::input_unwanted;
   return Status::ok;
 }
 
@@ -50,9 +50,9 @@ Status Options::set_end_rates(Frame frame, const double* omega_start, const doub
   if (!is_known(frame)) return Status::value;
   if (!find_method(method)->accepts_end(End::given)) return Status::setting;
   const Status at_start = check_end_rate(start, omega_start), at_end = check_end_rate(end, omega_end);
-  const bool one_missing = at_start == Status::rates_missing || at_end == Status::rates_missing;
-  if (one_missing) return Status::rates_missing;
-  if (at_start != Status::ok || at_end != Status::ok) return Status::rates_unwanted;
+  const bool one_missing = at_start == Status::input_missing || at_end == Status::input_missing;
+  if (one_missing) return Status::input_missing;
+  if (at_start != Status::ok || at_end != Status::ok) return Status::input_unwanted;
 
   Vector3 start_rate = start.omega, end_rate = end.omega;
   if (omega_start && !load_finite(omega_start, start_rate)) return Status::not_finite;

@@ -119,12 +119,12 @@ std::vector<Row<Real>> rows() {
       {"method unknown", bit(kCreate), [](A& a) { a.method = INT32_MIN; }, QTRAJ_E_VALUE},
       {"frame 0", kWithRates, [](A& a) { a.frame = 0; }, QTRAJ_E_VALUE},
       {"frame unknown", kWithRates, [](A& a) { a.frame = INT32_MAX; }, QTRAJ_E_VALUE},
-      {"alpha for a method without", kWithRates, [](A& a) { a.alpha = &number; }, QTRAJ_E_RATES_UNWANTED},
-      {"rates missing in plain create", bit(kCreate), [](A& a) { a.method = QTRAJ_HERMITE; }, QTRAJ_E_RATES_MISSING},
-      {"rates missing", bit(kInit), [](A& a) { a.omega = nullptr; }, QTRAJ_E_RATES_MISSING},
+      {"alpha for a method without", kWithRates, [](A& a) { a.alpha = &number; }, QTRAJ_E_INPUT_UNWANTED},
+      {"rates missing in plain create", bit(kCreate), [](A& a) { a.method = QTRAJ_HERMITE; }, QTRAJ_E_INPUT_MISSING},
+      {"rates missing", bit(kInit), [](A& a) { a.omega = nullptr; }, QTRAJ_E_INPUT_MISSING},
       {"bytes 0", bit(kInit), [](A& a) { a.bytes = 0; }, QTRAJ_E_BUFFER},
       {"memory misaligned", bit(kInit), [](A& a) { a.memory = static_cast<char*>(a.memory) + 4; }, QTRAJ_E_BUFFER},
-      // two faults: NULL, HANDLE, TOO_FEW, SIZE, VALUE, RATES_MISSING, RATES_UNWANTED, BUFFER, OVERLAP
+      // two faults: NULL, HANDLE, TOO_FEW, SIZE, VALUE, INPUT_MISSING, INPUT_UNWANTED, BUFFER, OVERLAP
       {"NULL before COUNT", kAll, [](A& a) { a.q = nullptr, a.count = 1; }, QTRAJ_E_NULL},
       {"NULL options before COUNT", kWithOptions, [](A& a) { a.options = nullptr, a.count = 1; }, QTRAJ_E_NULL},
       {"NULL options before COUNT 0", kWithOptions, [](A& a) { a.options = nullptr, a.count = 0; }, QTRAJ_E_NULL},
@@ -191,7 +191,7 @@ TEST_CASE("C API: counts whose arrays would pass PTRDIFF_MAX bytes are SIZE", "[
   });
 }
 
-TEST_CASE("C API: rates that the method or its tangent rule does not use are RATES_UNWANTED",
+TEST_CASE("C API: rates that the method or its tangent rule does not use are INPUT_UNWANTED",
           "[capi][construct][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
@@ -201,29 +201,29 @@ TEST_CASE("C API: rates that the method or its tangent rule does not use are RAT
       Case<Real> good(true);
       const Options options = make_options(variant);
       good.arguments.options = options.get();
-      CHECK(open(kCreateWithRates, good.arguments) == QTRAJ_E_RATES_UNWANTED);
-      CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_UNWANTED);
+      CHECK(open(kCreateWithRates, good.arguments) == QTRAJ_E_INPUT_UNWANTED);
+      CHECK(open(kInit, good.arguments) == QTRAJ_E_INPUT_UNWANTED);
       CHECK(good.bad_index == SIZE_MAX);
       CHECK(good.out == nullptr);
     }
   });
 }
 
-TEST_CASE("C API: rates that are needed and missing are RATES_MISSING", "[capi][construct][errors]") {
+TEST_CASE("C API: rates that are needed and missing are INPUT_MISSING", "[capi][construct][errors]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
     Case<Real> good(false);
     good.arguments.options = good.with_rates.get();
-    CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_RATES_MISSING);
-    CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_MISSING);
+    CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_INPUT_MISSING);
+    CHECK(open(kInit, good.arguments) == QTRAJ_E_INPUT_MISSING);
     // END_GIVEN at either end, and its rate never set
     for (const bool at_start : {false, true}) {
       const Options options = make_options({"", QTRAJ_SQUAD});
       REQUIRE(qtraj_options_set_ends(options.get(), at_start ? QTRAJ_END_GIVEN : QTRAJ_END_CHORD,
                                      at_start ? QTRAJ_END_CHORD : QTRAJ_END_GIVEN) == QTRAJ_OK);
       good.arguments.options = options.get();
-      CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_RATES_MISSING);
-      CHECK(open(kInit, good.arguments) == QTRAJ_E_RATES_MISSING);
+      CHECK(open(kCreateWith, good.arguments) == QTRAJ_E_INPUT_MISSING);
+      CHECK(open(kInit, good.arguments) == QTRAJ_E_INPUT_MISSING);
       CHECK(good.out == nullptr);
       CHECK(good.bad_index == SIZE_MAX);
     }

@@ -22,8 +22,8 @@ std::vector<double> effect_of(const qtraj_options* options) {
   const Keyframes<double> keys = closed_tour<double>(7);
   const std::vector<double> rate(21, 0.1);
   Built built = build(options, keys);
-  if (built.status == QTRAJ_E_RATES_MISSING) built = build(options, keys, Rates<double>{rate, {}});
-  if (built.status == QTRAJ_E_RATES_MISSING) built = build(options, keys, Rates<double>{rate, rate});
+  if (built.status == QTRAJ_E_INPUT_MISSING) built = build(options, keys, Rates<double>{rate, {}});
+  if (built.status == QTRAJ_E_INPUT_MISSING) built = build(options, keys, Rates<double>{rate, rate});
   if (built.status != QTRAJ_OK) return {static_cast<double>(built.status)};
   std::vector<double> times = times_in(keys.times, 3), q(4 * times.size() + 8);
   times.insert(times.end(), {-100.25, 100.25});
@@ -139,8 +139,8 @@ TEST_CASE("C API: end rates go to the ends that are GIVEN, and only there", "[ca
             CAPTURE(method, start, end, at_start, at_end);
             const bool missing = (start == QTRAJ_END_GIVEN && !at_start) || (end == QTRAJ_END_GIVEN && !at_end);
             const bool superfluous = (start != QTRAJ_END_GIVEN && at_start) || (end != QTRAJ_END_GIVEN && at_end);
-            const qtraj_status expected = missing       ? QTRAJ_E_RATES_MISSING
-                                          : superfluous ? QTRAJ_E_RATES_UNWANTED
+            const qtraj_status expected = missing       ? QTRAJ_E_INPUT_MISSING
+                                          : superfluous ? QTRAJ_E_INPUT_UNWANTED
                                                         : QTRAJ_OK;
             const Options options = options_of(method);
             REQUIRE(qtraj_options_set_ends(options.get(), start, end) == QTRAJ_OK);
@@ -176,7 +176,7 @@ TEST_CASE("C API: a setter that fails has no effect", "[capi][options]") {
 
     CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_NATURAL) == QTRAJ_E_SETTING);
     CHECK(qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_PERIODIC) == QTRAJ_E_VALUE);
-    CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, nullptr) == QTRAJ_E_RATES_MISSING);
+    CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, nullptr) == QTRAJ_E_INPUT_MISSING);
     CHECK(qtraj_options_set_end_rates(options, 0, other, other) == QTRAJ_E_VALUE);
     for (const double(&bad)[4] : not_finite) {
       CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_WORLD, other, bad) == QTRAJ_E_NOT_FINITE);
@@ -223,7 +223,7 @@ TEST_CASE("C API: another end condition drops the rate that was stored for the e
   const Options options = options_of(QTRAJ_SQUAD);
   const Keyframes<double> keys = closed_tour<double>(5);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_GIVEN, QTRAJ_END_CHORD) == QTRAJ_OK);
-  CHECK(build(options.get(), keys).status == QTRAJ_E_RATES_MISSING);  // no rate yet
+  CHECK(build(options.get(), keys).status == QTRAJ_E_INPUT_MISSING);  // no rate yet
   REQUIRE(qtraj_options_set_end_rates(options.get(), QTRAJ_FRAME_BODY, omega, nullptr) == QTRAJ_OK);
   CHECK(build(options.get(), keys).status == QTRAJ_OK);
   // setting the other end keeps it
@@ -231,7 +231,7 @@ TEST_CASE("C API: another end condition drops the rate that was stored for the e
   CHECK(build(options.get(), keys).status == QTRAJ_OK);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_CHORD, QTRAJ_END_ESTIMATED) == QTRAJ_OK);
   REQUIRE(qtraj_options_set_ends(options.get(), QTRAJ_END_GIVEN, QTRAJ_END_ESTIMATED) == QTRAJ_OK);
-  CHECK(build(options.get(), keys).status == QTRAJ_E_RATES_MISSING);
+  CHECK(build(options.get(), keys).status == QTRAJ_E_INPUT_MISSING);
 }
 
 TEST_CASE("C API: DEFAULT stands for the documented constant", "[capi][options]") {

@@ -38,9 +38,9 @@ qtraj_options* options_of(int32_t method) {
 qtraj_status create(const qtraj_options* options, size_t n, const double* t, double (*q)[4], qtraj_trajectory** out,
                     size_t* bad) {
   qtraj_status status = qtraj_create_with_options(options, t, q[0], n, out, bad);
-  if (status == QTRAJ_E_RATES_MISSING)
+  if (status == QTRAJ_E_INPUT_MISSING)
     status = qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega_body[0], NULL, n, out, bad);
-  if (status == QTRAJ_E_RATES_MISSING)
+  if (status == QTRAJ_E_INPUT_MISSING)
     status = qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], omega_body[0], alpha_body[0], n, out, bad);
   return status;
 }

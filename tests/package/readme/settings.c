@@ -89,11 +89,11 @@ static void check_given_rates(void) {
   int i;
 
   /* a rate exactly for the ends that are GIVEN at that moment */
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_RATES_UNWANTED);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_INPUT_UNWANTED);
   CHECK(qtraj_options_set_ends(options, QTRAJ_END_GIVEN, QTRAJ_END_CHORD) == QTRAJ_OK);
-  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_E_RATES_MISSING && bad == SIZE_MAX);
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_RATES_UNWANTED);
-  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, NULL, NULL) == QTRAJ_E_RATES_MISSING);
+  CHECK(try_with(options, count, times, keys, &bad) == QTRAJ_E_INPUT_MISSING && bad == SIZE_MAX);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, slow) == QTRAJ_E_INPUT_UNWANTED);
+  CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, NULL, NULL) == QTRAJ_E_INPUT_MISSING);
   CHECK(qtraj_options_set_end_rates(options, 0, slow, NULL) == QTRAJ_E_VALUE);
   CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, nan_rate, NULL) == QTRAJ_E_NOT_FINITE);
   CHECK(qtraj_options_set_end_rates(options, QTRAJ_FRAME_BODY, slow, NULL) == QTRAJ_OK);
@@ -111,7 +111,7 @@ static void check_given_rates(void) {
   }
   CHECK(qtraj_options_set_ends(options, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT) == QTRAJ_OK);
   CHECK(qtraj_options_set_tangents(options, QTRAJ_TANGENT_GIVEN) == QTRAJ_OK);
-  CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_RATES_MISSING); /* the rates are missing */
+  CHECK(try_with(options, count, times, keys, NULL) == QTRAJ_E_INPUT_MISSING); /* the rates are missing */
   CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, keys[0], omega_body[0], NULL, count, &a, NULL));
   CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_WORLD, times, keys[0], omega_world[0], NULL, count, &b, NULL));
   CHECK(distance(a, b) < 1e-14);
@@ -196,7 +196,7 @@ static void check_needs(void) {
       const qtraj_status status =
           given == 0 ? qtraj_create(method, times, keys[0], count, &curve, NULL)
                      : create_given(method, times, keys, zero, given == 2 ? zero : NULL, count, &curve, NULL);
-      CHECK(status == (given < needed ? QTRAJ_E_RATES_MISSING : given > needed ? QTRAJ_E_RATES_UNWANTED : QTRAJ_OK));
+      CHECK(status == (given < needed ? QTRAJ_E_INPUT_MISSING : given > needed ? QTRAJ_E_INPUT_UNWANTED : QTRAJ_OK));
       qtraj_destroy(curve);
     }
   }
