@@ -76,4 +76,16 @@ qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t bef
   });
 }
 
+qtraj_status qtraj_options_set_period(qtraj_options* options, double period) {
+  return set(options, [&](Options& core) { return core.set_period(period); });
+}
+
+qtraj_status qtraj_options_set_closure(qtraj_options* options, double angle) {
+  return set(options, [&](Options& core) { return core.set_closure(angle); });
+}
+
+qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, double seconds) {
+  return set(options, [&](Options& core) { return core.set_longest_gap(seconds); });
+}
+
 }  // extern "C"

@@ -1,4 +1,5 @@
 #include "arguments.hpp"
+#include "curve/uniform_count.hpp"
 #include "functions/even_times.hpp"
 #include "targets/sampling.hpp"
 
@@ -105,6 +106,13 @@ qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double sta
 qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                       float* q_out, size_t* bad_index) {
   return sample<float>({trajectory, {nullptr, start, step}, count, outputs(q_out)}, false, bad_index);
+}
+
+qtraj_status qtraj_uniform_count(const qtraj_trajectory* trajectory, double start, double step, size_t* count) {
+  const Status handle = count ? capi::check_handle(trajectory) : Status::null;
+  if (count) *count = 0;
+  if (handle != Status::ok) return capi::to_c(handle);
+  return capi::to_c(uniform_count(trajectory->core, start, step, *count));
 }
 
 qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out) {

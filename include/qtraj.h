@@ -376,6 +376,37 @@ QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32
  *   the two PERIODIC) */
 QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after);
 
+/** Closes a curve whose keys do not: the first key is repeated one period after it; every method has it.
+ *
+ * The trajectory has one key more than was passed; that one's rates are those of the first. Under PERIODIC
+ * extrapolation the curve repeats after exactly this period. With the first key written again at the end, leave the
+ * period unset.
+ *
+ * @param options  changed
+ * @param period   s, more than from the first key to the last, which the constructors check; 0: no key is added
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (below 0 or not finite) */
+QTRAJ_API qtraj_status qtraj_options_set_period(qtraj_options* options, double period);
+
+/** Sets by how much the last key of a closed curve may differ from the first; every method has it.
+ *
+ * Of PERIODIC ends or extrapolation. The curve goes through the first key at both ends, up to its sign.
+ *
+ * @param options  changed
+ * @param angle    rad, 0 to pi, the rotation angle between the two keys; 1e-6 unless set; keys written with five
+ *                 decimals need 3e-5
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (not in this range) */
+QTRAJ_API qtraj_status qtraj_options_set_closure(qtraj_options* options, double angle);
+
+/** Sets the longest interval between keys that is interpolated; every method has it.
+ *
+ * A time inside a longer interval is QTRAJ_E_GAP and its row NaN; the knots at its ends are samples as before. The
+ * curve is built through all keys, and curve diagnostics are those of the whole curve.
+ *
+ * @param options  changed
+ * @param seconds  s, more than 0; 0 or infinity: no limit
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (below 0 or NaN) */
+QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, double seconds);
+
 /** @} */
 
 /* ---- Construction: inputs are copied, normalised, made sign-continuous ---- */
@@ -586,7 +617,9 @@ QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
 
 /** @defgroup qtraj-sampling Sampling
  * Times may come in any order, and the same time gives the same bits from every function of one type. Sampling never
- * allocates. At a knot a sample belongs to the segment that starts there, at the last knot to the last one.
+ * allocates. At a knot a sample belongs to the segment that starts there, at the last knot to the last one, or, where
+ * the curve is repeated by PERIODIC extrapolation, to the first. A time outside the knots by no more than 4 units in
+ * the last place of the larger end counts as that end: the last of an even grid of rounded times is a sample.
  * @{ */
 
 /** Samples orientations at many times.
@@ -598,8 +631,8 @@ QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
- *     NaN, all others are right */
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                     double* q_out, size_t* bad_index);
 
@@ -614,15 +647,15 @@ QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const do
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
- *     NaN, all others are right */
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                         float* q_out, size_t* bad_index);
 
 /** Samples orientations, angular velocities and angular accelerations at many times.
  *
  * Rates are exact derivatives of the curve. A rate that jumps at a knot has its right-hand value there, at the last
- * knot its left-hand one.
+ * knot its left-hand one, unless the curve repeats.
  *
  * @param trajectory  the curve; not NULL, also where count is 0
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
@@ -636,7 +669,7 @@ QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, cons
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
  * is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
- *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                           size_t count, double* q_out, double* omega_out, double* alpha_out,
                                           size_t* bad_index);
@@ -658,14 +691,12 @@ QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, in
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
  * is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate too large for float), QTRAJ_E_TIME_RANGE (a time outside the knots under
- *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                               size_t count, float* q_out, float* omega_out, float* alpha_out,
                                               size_t* bad_index);
 
 /** Samples orientations at a fixed rate: at start + (double)i * step, rounded twice, for every i below count.
- *
- * Rounding may take the last time past the last knot: qtraj_even_times() never does.
  *
  * @param trajectory  the curve; not NULL, also where count is 0
  * @param start       s, time of row 0
@@ -675,15 +706,14 @@ QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
- *     NaN, all others are right */
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                             double* q_out, size_t* bad_index);
 
 /** Samples orientations at a fixed rate in float, at start + (double)i * step: twin of qtraj_sample_uniform().
  *
  * Computes in single precision, in double where the curve needs it; times and their place between the knots are double.
- * Rounding may take the last time past the last knot: qtraj_even_times() never does.
  *
  * @param trajectory  the curve, of double or float keys; not NULL, also where count is 0
  * @param start       s, time of row 0
@@ -693,10 +723,23 @@ QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, 
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR): that row is
- *     NaN, all others are right */
+ *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
                                                 size_t count, float* q_out, size_t* bad_index);
+
+/** Number of samples at a fixed rate that lie within the knots: the count for qtraj_sample_uniform().
+ *
+ * Of the rows start + (double)i * step, from i = 0 on, those up to the knot that the step leads to, that one included.
+ *
+ * @param trajectory  the curve
+ * @param start       s, time of row 0, within the knots
+ * @param step        s, from row to row; may be negative
+ * @param count       receives the number, 1 or more; 0 on every error
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE (more than 2^53 rows), QTRAJ_E_VALUE (step 0),
+ *   QTRAJ_E_NOT_FINITE (start or step), QTRAJ_E_TIME_RANGE (start outside the knots) */
+QTRAJ_API qtraj_status qtraj_uniform_count(const qtraj_trajectory* trajectory, double start, double step,
+                                           size_t* count);
 
 /** Times at even distances from first to last, both exact, none past last: for the samplers that take times.
  *
@@ -718,7 +761,8 @@ QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count,
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
+ *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
 
 /** Samples the orientation at one time in float, for control loops: twin of qtraj_sample_at().
@@ -732,7 +776,8 @@ QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, doubl
  * @param q_out       [4], w x y z, body to world, unit
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
- *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR): q_out is NaN */
+ *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
+ * q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                                            float* q_out);
 
@@ -751,7 +796,7 @@ QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, d
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time, or a rate that overflows), QTRAJ_E_TIME_RANGE (time outside the knots under
- *     EXTRAPOLATE_ERROR): every output is NaN */
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory, int32_t frame, double time,
                                              size_t* cursor, double* q_out, double* omega_out, double* alpha_out);
 
@@ -771,7 +816,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory,
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time, or a rate too large for float), QTRAJ_E_TIME_RANGE (time outside the knots under
- *     EXTRAPOLATE_ERROR): every output is NaN */
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: every output is NaN */
 QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* trajectory, int32_t frame, double time,
                                                  size_t* cursor, float* q_out, float* omega_out, float* alpha_out);
 
@@ -790,7 +835,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at_f32(const qtraj_trajectory* traject
  * @return a qtraj_method_value; 0 for NULL */
 QTRAJ_API int32_t qtraj_method(const qtraj_trajectory* trajectory);
 
-/** Number of keys.
+/** Number of keys, with the one that qtraj_options_set_period() adds.
  *
  * @param trajectory  may be NULL
  * @return 2 or more; 0 for NULL */

@@ -17,21 +17,50 @@ void extrapolate(const Extrapolation& side, double time, double* q) {
   for (int k = 0; k < 4; ++k) q[k] = side.m[k] * at.cos + side.e[k] * at.sin;
 }
 
-WrappedTime wrap_time(const Trajectory& trajectory, double time) {
-  const double first = trajectory.before.knot, last = trajectory.after.knot;
-  // halved first, so that neither time - first nor turns * period can overflow
-  const double half_period = 0.5 * last - 0.5 * first;
-  const double half_distance = 0.5 * time - 0.5 * first;
-  // so far away that the period is below the resolution of the distance
-  if (std::abs(half_distance) * 0x1p-50 > half_period) return {first, false};
+namespace {
 
-  const double quotient = half_distance / half_period;
-  double turns = round_to_integer(quotient);
-  if (turns > quotient) turns -= 1.0;
-  const double half_remainder = half_distance - turns * half_period;
-  const double wrapped = first + 2.0 * half_remainder;
-  const bool odd = (static_cast<int64_t>(turns) & 1) != 0;
-  return {wrapped < first ? first : wrapped > last ? last : wrapped, odd && trajectory.negate_on_wrap};
+DoubleDouble sum_of(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble sum = two_sum(a.value, b.value);
+  return two_sum(sum.value, sum.error + (a.error + b.error));
+}
+DoubleDouble negated(const DoubleDouble& a) { return {-a.value, -a.error}; }
+bool is_negative(const DoubleDouble& a) { return a.value < 0; }
+
+// Half the time since the first knot, less a whole number of double periods: in [0, 2 half periods). fmod is exact, so
+// that nothing is lost however far the time is. Where the period is no double, the part below its last digit is taken
+// off as often as it was left out; past 2^50 of them the phase is 0.
+DoubleDouble half_phase(const Trajectory& trajectory, double time) {
+  const DoubleDouble period = trajectory.half_period;
+  const double twice = 2.0 * period.value;
+  const DoubleDouble distance = two_sum(0.5 * time, -0.5 * trajectory.before.knot);
+  const double whole = std::fmod(distance.value, twice), part = std::fmod(distance.error, twice);
+  DoubleDouble phase = two_sum(whole, part);
+  if (period.error != 0) {
+    // so far away that the digits left out make whole periods
+    if (std::abs(distance.value) * 0x1p-50 > twice) return {0.0, 0.0};
+    const double turns = round_to_integer((distance.value - whole) / twice), error = 2.0 * period.error;
+    const double left_out = turns * error;
+    phase = sum_of(phase, {-left_out, -std::fma(turns, error, -left_out)});
+  }
+  const DoubleDouble both = {twice, 2.0 * period.error};
+  while (is_negative(phase)) phase = sum_of(phase, both);
+  for (;;) {
+    const DoubleDouble less = sum_of(phase, negated(both));
+    if (is_negative(less)) return phase;
+    phase = less;
+  }
+}
+
+}  // namespace
+
+WrappedTime wrap_time(const Trajectory& trajectory, double time) {
+  const double first = trajectory.before.knot;
+  DoubleDouble phase = half_phase(trajectory, time);
+  const DoubleDouble in_second = sum_of(phase, negated(trajectory.half_period));
+  const bool is_odd = !is_negative(in_second);
+  if (is_odd) phase = in_second;
+  const double wrapped = first + 2.0 * phase.value;
+  return {wrapped > trajectory.last_inside ? trajectory.last_inside : wrapped, is_odd && trajectory.negate_on_wrap};
 }
 
 }  // namespace qtraj

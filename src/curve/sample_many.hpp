@@ -59,7 +59,7 @@ class Batch {
       if (times_.read(first_row_, rows) && sample_runs(cursor)) {
         if (has_marks_) sample_again(rows, cursor, outcome);
       } else if constexpr (kScattersInVectors) {
-        const bool all_inside = times_.clamp(index_.knots[0], index_.knots[index_.segments]);
+        const bool all_inside = times_.clamp(index_.knots[0], trajectory_.last_inside);
         sample_scattered(rows);
         if (!all_inside || has_marks_) sample_again(rows, cursor, outcome);
       } else {
@@ -95,14 +95,19 @@ class Batch {
   // False, with nothing done, where runs would on average be shorter than that or times are outside the knots.
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
-    if (times_[0] < index_.knots[0] || times_[rows - 1] > index_.knots[index_.segments]) return false;
+    if (times_[0] < index_.knots[0] || times_[rows - 1] > trajectory_.last_inside) return false;
     const size_t first = find_segment(index_, times_[0], cursor);
     const size_t last = find_segment(index_, times_[rows - 1], first);
     cursor = last;
     if ((last - first) * kLeastRun >= rows) return false;
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {
       const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
-      if (begin < end) sample_run(segment, begin, end);
+      if (begin < end) {
+        if (is_gap(trajectory_, index_.knots, segment))
+          mark_again(begin, end - begin);
+        else
+          sample_run(segment, begin, end);
+      }
       begin = end;
     }
     return true;
@@ -160,6 +165,7 @@ class Batch {
 
   QTRAJ_NOINLINE void sample_scattered(size_t rows) {
     find_segments(index_, times_.from(0), rows + kLanes - kTimeLanes, found_);
+    mark_gaps(rows);
     WideSegment wide;
     Doubles<Real> scales;
     if constexpr (kWithRates) {
@@ -248,6 +254,12 @@ class Batch {
 
   // ---- Rows done again ----
 
+  void mark_gaps(size_t rows) {
+    if (trajectory_.longest_gap == __builtin_inf()) return;
+    for (size_t i = 0; i < rows; ++i)
+      if (is_gap(trajectory_, index_.knots, static_cast<size_t>(found_[i]))) mark_again(i, 1);
+  }
+
   QTRAJ_NOINLINE void mark_again(size_t i, size_t rows) {
     if (!has_marks_)
       for (bool& mark : marked_) mark = false;
@@ -258,7 +270,7 @@ class Batch {
   QTRAJ_NOINLINE void sample_again(size_t rows, size_t& cursor, Outcome& outcome) {
     for (size_t i = 0; i < rows; ++i) {
       const double time = source_[first_row_ + i];
-      const bool inside = is_finite(time) && time >= index_.knots[0] && time <= index_.knots[index_.segments];
+      const bool inside = is_finite(time) && time >= index_.knots[0] && time <= trajectory_.last_inside;
       if (inside && !(has_marks_ && marked_[i])) continue;
       const size_t row = first_row_ + i;
       keep_first(kSampleAt(trajectory_, time, cursor, from_row(outputs_, row)), row, outcome);

@@ -8,6 +8,7 @@
 
 #include "base/settings.hpp"
 #include "curve/segment.hpp"
+#include "math/error_free.hpp"
 
 namespace qtraj {
 
@@ -16,6 +17,7 @@ namespace qtraj {
 struct Extrapolation {
   Extrapolate rule;
   double knot;
+  double reach;     // times between the knot and this, 4 ulps of the larger end away, count as the knot
   double far_time;  // later times are clamped to it: there the arc, or the difference t - knot, has no digits left
   double rate;      // rad/s on S^3: half the angular speed
   double m[4], e[4];
@@ -35,8 +37,11 @@ struct Trajectory {
   double worst_norm_error;
   double least_dot;
   Extrapolation before, after;
-  bool closed;          // PERIODIC, at its ends or beyond them
-  bool negate_on_wrap;  // PERIODIC extrapolation: the last key is minus the first
+  double last_inside;        // segments are sampled up to here: to the last knot, a repeated curve to just before it
+  DoubleDouble half_period;  // s, half of what the curve repeats after: the whole may overflow
+  double longest_gap;        // s; times inside longer intervals have no value; infinity where no interval is longer
+  bool closed;               // PERIODIC, at its ends or beyond them
+  bool negate_on_wrap;       // PERIODIC extrapolation: the last key is minus the first
   bool on_heap;
   double guide_scale;
   size_t guide_candidates;

@@ -14,6 +14,7 @@ Element* at_offset(void* block, size_t bytes) {
   return reinterpret_cast<Element*>(static_cast<char*>(block) + bytes);
 }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr size_t kKeyBytes = 4 * sizeof(double);
 constexpr size_t kKnotBytes = sizeof(double) + Guide::entries(1) * sizeof(uint64_t);
 
@@ -44,10 +45,39 @@ Extrapolation extrapolation_at(const EndSetting& setting, double knot, double fo
   return side;
 }
 
+// Times up to 4 ulps of the larger end beyond a knot count as that knot: an even grid of rounded times may end there.
+void set_reach(Trajectory& trajectory) {
+  Extrapolation &before = trajectory.before, &after = trajectory.after;
+  const double larger = std::max(std::abs(before.knot), std::abs(after.knot));
+  const double reach = 4.0 * (larger - std::nextafter(larger, 0.0));
+  before.reach = std::max(before.knot, reach - DBL_MAX) - reach;
+  after.reach = std::min(after.knot, DBL_MAX - reach) + reach;
+}
+
+void set_period(const Options& options, Trajectory& trajectory) {
+  const double first = trajectory.before.knot, last = trajectory.after.knot;
+  trajectory.last_inside = options.wraps() ? std::nextafter(last, first) : last;
+  trajectory.half_period =
+      options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);
+}
+
+double longest_interval(const Keyframes& keys) {
+  double longest = 0;
+  for (size_t i = 0; i < keys.segments(); ++i) longest = std::max(longest, keys.step(i));
+  return longest;
+}
+
+// The index of a key as the caller counts it: a key that was added to close the curve has the rates of the first.
+size_t input_index(const KeyframeInput& input, size_t key) {
+  return key == kNoIndex ? kNoIndex : input.row_of_key(key);
+}
+
 }  // namespace
 
-bool trajectory_size(const Options& options, size_t count, TrajectorySize& size) {
+bool trajectory_size(const Options& options, size_t input_count, TrajectorySize& size) {
   const MethodRow& row = *find_method(options.method);
+  if (input_count == SIZE_MAX) return false;
+  const size_t count = options.key_count(input_count);
   const size_t handle_per_key = kKnotBytes + kKeyBytes + row.segment_bytes;
   const size_t workspace_per_key = kKeyBytes + row.workspace_per_key * sizeof(double);
   const size_t fixed = sizeof(Trajectory);
@@ -73,7 +103,7 @@ Status check_settings(const Options& options, const KeyframeInput& input, Frame 
 Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,
                          void* workspace, Trajectory** out) {
   const MethodRow& row = *find_method(options.method);
-  const size_t count = input.count;
+  const size_t count = options.key_count(input.count);
   auto* trajectory = static_cast<Trajectory*>(handle);
   *trajectory = {};
   trajectory->method = options.method;
@@ -87,8 +117,10 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
                     at_offset<double[4]>(handle, trajectory->keys_offset), at_offset<double[4]>(workspace, 0), count};
   KeyframeReport report;
   Outcome outcome = clean_keyframes(input, keys, report);
+  if (outcome.status == Status::ok && options.period > 0)
+    outcome = add_closing_key(input, options.period, keys, report);
   if (outcome.status != Status::ok) return outcome;
-  if (options.closed() || options.wraps()) outcome = close_keyframes(keys);
+  if (options.closed() || options.wraps()) outcome = close_keyframes(keys, options.closure);
   if (outcome.status != Status::ok) return outcome;
   build_guide(keys.times, count, at_offset<uint64_t>(handle, trajectory->guide_offset), trajectory->guide_scale,
               trajectory->guide_candidates);
@@ -100,7 +132,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
                                at_offset<double>(workspace, count * kKeyBytes),
                                at_offset<char>(handle, trajectory->segments_offset)};
   outcome = row.build(construction);
-  if (outcome.status != Status::ok) return outcome;
+  if (outcome.status != Status::ok) return {outcome.status, input_index(input, outcome.index)};
 
   trajectory->range = construction.range;
   trajectory->iterations = construction.iterations;
@@ -111,6 +143,9 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   const size_t last = keys.segments();
   trajectory->before = extrapolation_at(options.start, keys.times[0], -1.0, keys[0].value, construction.omega_start);
   trajectory->after = extrapolation_at(options.end, keys.times[last], 1.0, keys[last].value, construction.omega_end);
+  set_reach(*trajectory);
+  set_period(options, *trajectory);
+  trajectory->longest_gap = longest_interval(keys) > options.longest_gap ? options.longest_gap : kInfinity;
   trajectory->closed = options.closed() || options.wraps();
   trajectory->negate_on_wrap = dot(keys[0].value, keys[last].value) < 0;
   trajectory->tag = Trajectory::kTag;

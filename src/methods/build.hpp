@@ -8,7 +8,8 @@
 
 namespace qtraj {
 
-// Bytes of a handle and of the constructor's working space; false where they would exceed PTRDIFF_MAX.
+// Bytes of a handle through `count` keys of the caller and of the constructor's working space; false where they would
+// exceed PTRDIFF_MAX.
 struct TrajectorySize {
   size_t handle, workspace;
 };

@@ -28,12 +28,12 @@ bool scaled_to_body(const Vector3& v, Frame frame, const Quaternion& q_wb, doubl
 }
 
 bool given_scaled_omega(const Construction& construction, size_t key, double h, double limit, Vector3& scaled) {
-  return scaled_to_body(row_of(construction.input.omega, key), construction.rate_frame, construction.keys[key].value, h,
-                        limit, scaled);
+  return scaled_to_body(row_of(construction.input.omega, construction.input.row_of_key(key)), construction.rate_frame,
+                        construction.keys[key].value, h, limit, scaled);
 }
 
 bool given_scaled_alpha(const Construction& construction, size_t key, double h, double limit, Vector3& scaled) {
-  const Vector3 alpha = row_of(construction.input.alpha, key);
+  const Vector3 alpha = row_of(construction.input.alpha, construction.input.row_of_key(key));
   // h alpha may be past the limit where h^2 alpha is not, and vice versa
   Vector3 once;
   constexpr double kAnything = 0x1p1020;

@@ -1,5 +1,7 @@
 #include "methods/keyframes.hpp"
 
+#include <cfloat>
+
 #include "base/floating.hpp"
 #include "base/times.hpp"
 #include "math/so3.hpp"
@@ -65,12 +67,25 @@ Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, Keyfr
   return {};
 }
 
-Outcome close_keyframes(Keyframes& keys) {
-  constexpr double kTolerance = 1e-6;
+Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& keys, KeyframeReport& report) {
+  const size_t last = keys.count - 1;
+  const double first_time = keys.times[0];
+  if (0.5 * first_time + 0.5 * period > 0.5 * DBL_MAX) return {Status::time_span, input.count - 1};
+  keys.times[last] = first_time + period;
+  const Status status = check_knot(keys.times, last);
+  if (status != Status::ok) return {status, input.count - 1};
+  keys.set(last, keys[0]);
+  KeyframeReport of_closing;  // its sign is no fault of the caller's
+  continue_sign(last, keys, of_closing);
+  report.least_dot = std::min(report.least_dot, of_closing.least_dot);
+  return {};
+}
+
+Outcome close_keyframes(Keyframes& keys, double closure) {
   const size_t last = keys.count - 1;
   UnitQuaternion first_key = keys[0];
   if (dot(first_key.value, keys[last].value) < 0) first_key = negate(first_key);
-  if (2.0 * relative_rotation(first_key, keys[last]).angle > kTolerance) return {Status::not_closed, last};
+  if (2.0 * relative_rotation(first_key, keys[last]).angle > closure) return {Status::not_closed, last};
   keys.set(last, first_key);
   return {};
 }

@@ -15,6 +15,8 @@ struct KeyframeInput {
   Input<3> omega, alpha;
   size_t count;
 
+  // The row that a key has its rates from: a key that was added to close the curve is the first once more.
+  size_t row_of_key(size_t key) const { return key < count ? key : 0; }
   double epsilon() const { return epsilon_of(q_wb); }
 };
 
@@ -39,11 +41,15 @@ struct KeyframeReport {
   double least_dot = 1;
 };
 
-// Checks all input and fills `keys`, whose arrays hold input.count elements. On an error the lowest index at fault and,
+// Checks all input and fills `keys` from 0 to input.count. On an error the lowest index at fault and,
 // at one index, the first of not_finite, zero_norm, time_order, time_span.
 Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report);
 
-// Makes the last key +- the first, sign kept; not_closed where they are more than 1e-6 rad apart as orientations.
-Outcome close_keyframes(Keyframes& keys);
+// Makes the last key the first once more, a period after it. time_order with the index of the last key of the input
+// where the period ends before it, time_span where it overflows.
+Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& keys, KeyframeReport& report);
+
+// Makes the last key +- the first, sign kept; not_closed where they are more than `closure` rad apart as orientations.
+Outcome close_keyframes(Keyframes& keys, double closure);
 
 }  // namespace qtraj

@@ -1,6 +1,7 @@
 #include "methods/options.hpp"
 
 #include "base/floating.hpp"
+#include "math/trigonometry.hpp"
 #include "methods/method.hpp"
 
 namespace qtraj {
@@ -91,6 +92,26 @@ Status Options::set_extrapolation(Extrapolate before, Extrapolate after) {
   if (!is_known(before) || !is_known(after) || one_wraps) return Status::value;
   start.extrapolate = before == Extrapolate::standard ? Extrapolate::error : before;
   end.extrapolate = after == Extrapolate::standard ? Extrapolate::error : after;
+  return Status::ok;
+}
+
+Status Options::set_period(double seconds) {
+  if (!is_finite(seconds) || seconds < 0) return Status::value;
+  period = seconds;
+  return Status::ok;
+}
+
+Status Options::set_closure(double angle) {
+  if (!is_finite(angle) || angle < 0 || angle > kPi) return Status::value;
+  closure = angle;
+  return Status::ok;
+}
+
+Status Options::set_longest_gap(double seconds) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!is_finite(seconds) && seconds != kInfinity) return Status::value;
+  if (seconds < 0) return Status::value;
+  longest_gap = seconds > 0 ? seconds : kInfinity;
   return Status::ok;
 }
 

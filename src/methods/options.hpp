@@ -2,6 +2,8 @@
 // valid.
 #pragma once
 
+#include <limits>
+
 #include "base/settings.hpp"
 #include "base/status.hpp"
 #include "math/quaternion.hpp"
@@ -23,6 +25,9 @@ struct Options {
   Tangent tangents = Tangent::catmull_rom;
   Reference reference = Reference::first;
   Quaternion reference_q = Quaternion::Zero();  // where reference is given
+  double period = 0;                            // s; 0: no key is added
+  double closure = 1e-6;  // rad, by which the last key of a closed curve may differ from the first
+  double longest_gap = std::numeric_limits<double>::infinity();  // s
 
   // value where the method is unknown.
   static Status make(Method method, Options& out);
@@ -33,7 +38,12 @@ struct Options {
   Status set_tangents(Tangent rule);
   Status set_reference(Reference rule, const double* q_wb);
   Status set_extrapolation(Extrapolate before, Extrapolate after);
+  Status set_period(double seconds);  // 0: none
+  Status set_closure(double angle);
+  Status set_longest_gap(double seconds);  // 0: none
 
+  // Keys of a curve through `count` keys of the caller.
+  size_t key_count(size_t count) const { return count + (period > 0 ? 1 : 0); }
   bool closed() const { return start.condition == End::periodic; }
   bool wraps() const { return start.extrapolate == Extrapolate::periodic; }
 };

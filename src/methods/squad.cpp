@@ -65,7 +65,9 @@ class HalfRates {
     const bool closed = options.closed();
     const bool from_keys = options.tangents == Tangent::given && (!end || end->condition == End::standard || closed);
     const size_t source = closed && key == keys_.segments() ? 0 : key;
-    if (from_keys) return given(row_of(construction_.input.omega, source), construction_.rate_frame, key, s);
+    if (from_keys)
+      return given(row_of(construction_.input.omega, construction_.input.row_of_key(source)), construction_.rate_frame,
+                   key, s);
     if (end && end->condition == End::given) return given(end->omega, options.rate_frame, key, s);
 
     const Sides at = sides(key);

@@ -2,6 +2,7 @@
 #include <cfloat>
 
 #include "support/capi_variants.hpp"
+#include "support/ends.hpp"
 
 using namespace capi;
 using test::Quaternion;
@@ -61,7 +62,7 @@ TEST_CASE("C API: ERROR is the default on both sides: NaN and TIME_RANGE one ste
       Real q[4];
       CHECK(sample_at(curve.get(), first, nullptr, q) == QTRAJ_OK);
       CHECK(sample_at(curve.get(), last, nullptr, q) == QTRAJ_OK);
-      for (const double time : {std::nextafter(first, -DBL_MAX), -DBL_MAX, std::nextafter(last, DBL_MAX), DBL_MAX}) {
+      for (const double time : {test::before_all(first, last), -DBL_MAX, test::after_all(first, last), DBL_MAX}) {
         CHECK(sample_at(curve.get(), time, nullptr, q) == QTRAJ_E_TIME_RANGE);
         CHECK((std::isnan(q[0]) && std::isnan(q[1]) && std::isnan(q[2]) && std::isnan(q[3])));
       }
@@ -102,9 +103,9 @@ TEST_CASE("C API: HOLD is the end key at any distance", "[capi][extrapolation]")
       for (const double distance_in_time : kBeyond)
         for (const bool after : {false, true}) {
           CAPTURE(distance_in_time, after);
-          const double time =
-              after ? std::max(std::nextafter(qtraj_end_time(curve.get()), DBL_MAX), distance_in_time)
-                    : std::min(std::nextafter(qtraj_start_time(curve.get()), -DBL_MAX), -distance_in_time);
+          const double first = qtraj_start_time(curve.get()), last = qtraj_end_time(curve.get());
+          const double time = after ? std::max(test::after_all(first, last), distance_in_time)
+                                    : std::min(test::before_all(first, last), -distance_in_time);
           double q[4];
           float q_f32[4];
           CHECK(qtraj_sample_at(curve.get(), time, nullptr, q) == QTRAJ_OK);

@@ -2,6 +2,7 @@
 #include <cfloat>
 
 #include "support/capi_variants.hpp"
+#include "support/ends.hpp"
 
 using namespace capi;
 
@@ -23,9 +24,9 @@ std::vector<double> times_outside(const qtraj_trajectory* curve) {
   std::vector<double> times;
   const double first = qtraj_start_time(curve), last = qtraj_end_time(curve);
   for (const double distance : kDistances)
-    times.push_back(std::min(std::nextafter(first, -DBL_MAX), std::max(-DBL_MAX, first - distance)));
+    times.push_back(std::min(test::before_all(first, last), std::max(-DBL_MAX, first - distance)));
   for (const double distance : kDistances)
-    times.push_back(std::max(std::nextafter(last, DBL_MAX), std::min(DBL_MAX, last + distance)));
+    times.push_back(std::max(test::after_all(first, last), std::min(DBL_MAX, last + distance)));
   return times;
 }
 

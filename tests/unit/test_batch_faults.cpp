@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "support/capi_floating.hpp"
+#include "support/ends.hpp"
 #include "support/kernel_curves.hpp"
 
 namespace {
@@ -30,8 +31,8 @@ std::vector<FaultyTime> faulty_times(const std::vector<double>& knots) {
                                  {"-infinity", -kInfinity, QTRAJ_E_NOT_FINITE},
                                  {"largest", DBL_MAX, QTRAJ_E_TIME_RANGE},
                                  {"smallest", -DBL_MAX, QTRAJ_E_TIME_RANGE},
-                                 {"just before", std::nextafter(knots.front(), -kInfinity), QTRAJ_E_TIME_RANGE},
-                                 {"just after", std::nextafter(knots.back(), kInfinity), QTRAJ_E_TIME_RANGE}};
+                                 {"just before", test::before_all(knots.front(), knots.back()), QTRAJ_E_TIME_RANGE},
+                                 {"just after", test::after_all(knots.front(), knots.back()), QTRAJ_E_TIME_RANGE}};
   capi::set_signalling_nan(all[1].time);
   return all;
 }

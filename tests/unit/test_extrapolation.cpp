@@ -10,6 +10,8 @@ qtraj::Trajectory knots(double first, double last, bool negate_on_wrap) {
   qtraj::Trajectory trajectory = {};
   trajectory.before.knot = first;
   trajectory.after.knot = last;
+  trajectory.last_inside = std::nextafter(last, first);
+  trajectory.half_period = qtraj::two_sum(0.5 * last, -0.5 * first);
   trajectory.negate_on_wrap = negate_on_wrap;
   return trajectory;
 }
