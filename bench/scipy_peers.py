@@ -23,7 +23,7 @@ except ImportError:
     quaternion = None
 
 SLERP, LOG_SPLINE, ROTATION_SPLINE = 1, 4, 5
-BODY, SHORTEST = 1, 1
+BODY, SHORTEST = 101, 601
 REPETITIONS = 5
 LEAST_SECONDS = 0.01  # of one timed repetition
 

@@ -15,7 +15,7 @@ LABELS = [("middle", 0, -10), ("middle", 0, 21), ("end", -10, 2), ("middle", 0, 
           ("start", 9, 12)]  # of the keys: anchor and place beside the dot
 METHODS = [("SLERP", 1, "#d9822b"), ("SQUAD", 3, "#4c8dff"), ("ROTATION_SPLINE", 5, "#2ca66f")]
 GREY = "#7d8590"
-BODY, WORLD = 1, 2
+BODY, WORLD = 101, 102
 STEPS = 300
 
 WIDTH, HEIGHT = 840, 370
