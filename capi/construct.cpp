@@ -17,11 +17,12 @@ struct Request {
 
 template <class Real>
 Request request(const double* times, const Real* q_wb, int32_t frame, const Real* omega, const Real* alpha,
-                size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return {{times, qtraj::input<4>(q_wb, count), qtraj::input<3>(omega, count), qtraj::input<3>(alpha, count), count},
-          frame,
-          out,
-          bad_index};
+                const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return {
+      {times, qtraj::input<4>(q_wb, count), qtraj::input<3>(omega, count), qtraj::input<3>(alpha, count), turns, count},
+      frame,
+      out,
+      bad_index};
 }
 
 // NULL, HANDLE, TOO_FEW and SIZE; *out and *bad_index get their values for an error.
@@ -82,12 +83,19 @@ qtraj_status create_with_given_rates(const qtraj_options* options, const Request
   return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
 }
 
+qtraj_status create_with_given_turns(const qtraj_options* options, const Request& request) {
+  const bool turns_missing = request.input.count > 0 && !request.input.turns;
+  const Status status = begin(request, turns_missing ? Status::null : capi::check_handle(options));
+  return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
+}
+
 bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, const Request& request) {
   const KeyframeInput& input = request.input;
   const size_t row_of_3 = 3 * input.count * request.element_bytes();
   return capi::overlap(memory, {input.times, input.count * sizeof(double)}) ||
          capi::overlap(memory, {input.q_wb.data, 4 * input.count * request.element_bytes()}) ||
          capi::overlap(memory, {input.omega.data, row_of_3}) || capi::overlap(memory, {input.alpha.data, row_of_3}) ||
+         capi::overlap(memory, {input.turns, input.count * sizeof(int32_t)}) ||
          capi::overlap(memory, {options, sizeof *options});
 }
 
@@ -115,34 +123,48 @@ extern "C" {
 
 qtraj_status qtraj_create(int32_t method, const double* times, const double* q_wb, size_t count, qtraj_trajectory** out,
                           size_t* bad_index) {
-  return create_with_method(method, request<double>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+  return create_with_method(method, request<double>(times, q_wb, 0, nullptr, nullptr, nullptr, count, out, bad_index));
 }
 
 qtraj_status qtraj_create_f32(int32_t method, const double* times, const float* q_wb, size_t count,
                               qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_method(method, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+  return create_with_method(method, request<float>(times, q_wb, 0, nullptr, nullptr, nullptr, count, out, bad_index));
 }
 
 qtraj_status qtraj_create_with_options(const qtraj_options* options, const double* times, const double* q_wb,
                                        size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_options(options, request<double>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+  return create_with_options(options,
+                             request<double>(times, q_wb, 0, nullptr, nullptr, nullptr, count, out, bad_index));
 }
 
 qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const double* times, const float* q_wb,
                                            size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_options(options, request<float>(times, q_wb, 0, nullptr, nullptr, count, out, bad_index));
+  return create_with_options(options, request<float>(times, q_wb, 0, nullptr, nullptr, nullptr, count, out, bad_index));
 }
 
 qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
                                      const double* q_wb, const double* omega, const double* alpha, size_t count,
                                      qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index));
 }
 
 qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
                                          const float* q_wb, const float* omega, const float* alpha, size_t count,
                                          qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_turns(const qtraj_options* options, int32_t frame, const double* times,
+                                     const double* q_wb, const double* omega, const double* alpha, const int32_t* turns,
+                                     size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_given_turns(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_turns_f32(const qtraj_options* options, int32_t frame, const double* times,
+                                         const float* q_wb, const float* omega, const float* alpha,
+                                         const int32_t* turns, size_t count, qtraj_trajectory** out,
+                                         size_t* bad_index) {
+  return create_with_given_turns(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
 }
 
 qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes) {
@@ -156,15 +178,15 @@ qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t*
 }
 
 qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
-                        const double* q_wb, const double* omega, const double* alpha, size_t count,
-                        qtraj_trajectory** out, size_t* bad_index) {
-  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+                        const double* q_wb, const double* omega, const double* alpha, const int32_t* turns,
+                        size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
 }
 
 qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                             const double* times, const float* q_wb, const float* omega, const float* alpha,
-                            size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, count, out, bad_index));
+                            const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
 }
 
 void qtraj_destroy(qtraj_trajectory* trajectory) {

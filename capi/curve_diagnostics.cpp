@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "diagnostics/curve.hpp"
+#include "diagnostics/rate_mismatch.hpp"
 
 using namespace qtraj;
 using capi::to_c;
@@ -62,6 +63,17 @@ qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* ener
 
 qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle) {
   return scalar(trajectory, angle, qtraj::total_angle);
+}
+
+qtraj_status qtraj_rate_mismatch(const qtraj_trajectory* trajectory, double* angle, size_t* index) {
+  const Status handle = angle ? capi::check_handle(trajectory) : Status::null;
+  if (handle != Status::ok) return to_c(handle);
+  RateMismatch worst;
+  const Outcome outcome = rate_mismatch(trajectory->core, worst);
+  if (outcome.status != Status::ok) return to_c(outcome.status);
+  *angle = worst.angle;
+  if (index) *index = worst.segment;
+  return QTRAJ_OK;
 }
 
 }  // extern "C"

@@ -76,6 +76,10 @@ qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t bef
   });
 }
 
+qtraj_status qtraj_options_set_turns(qtraj_options* options, int32_t rule) {
+  return set(options, [&](Options& core) { return core.set_turns(static_cast<Turns>(rule)); });
+}
+
 qtraj_status qtraj_options_set_period(qtraj_options* options, double period) {
   return set(options, [&](Options& core) { return core.set_period(period); });
 }

@@ -34,13 +34,13 @@ int main(void) {
   if (bytes > sizeof trajectory_memory) return 1;
 
   /* too little memory is a status, not a crash */
-  status =
-      qtraj_init(trajectory_memory, bytes / 2, options, 0, look_times, looks[0], NULL, NULL, LOOKS, &pointing, NULL);
+  status = qtraj_init(trajectory_memory, bytes / 2, options, 0, look_times, looks[0], NULL, NULL, NULL, LOOKS,
+                      &pointing, NULL);
   printf("half the memory: %s\n", qtraj_status_text(status));
 
   /* the three 0, NULL, NULL: no rates at the keys */
-  must(qtraj_init(trajectory_memory, sizeof trajectory_memory, options, 0, look_times, looks[0], NULL, NULL, LOOKS,
-                  &pointing, NULL),
+  must(qtraj_init(trajectory_memory, sizeof trajectory_memory, options, 0, look_times, looks[0], NULL, NULL, NULL,
+                  LOOKS, &pointing, NULL),
        "init");
   for (tick = 0; tick <= 12; tick += 2) {
     must(qtraj_sample_at(pointing, 0.5 * tick, &cursor, q), "sample");

@@ -240,6 +240,14 @@ enum qtraj_extrapolate_value {
   QTRAJ_EXTRAPOLATE_CONSTANT_RATE = 503, /**< geodesic with the end rate, zero acceleration */
   QTRAJ_EXTRAPOLATE_PERIODIC = 504       /**< time wrapped into the knots; both sides or none; the keys must close */
 };
+/** How far a step from key to key turns: its branch, of the many rotations that lead from one key to the next. */
+enum qtraj_turns_value {
+  QTRAJ_TURNS_DEFAULT = 0,      /**< HERMITE, ROTATION_QUINTIC: FROM_RATES; all others: SHORTEST */
+  QTRAJ_TURNS_SHORTEST = 701,   /**< the shorter turn, at most half a turn */
+  QTRAJ_TURNS_AS_GIVEN = 702,   /**< the arc that the signs of the keys say, up to a whole turn */
+  QTRAJ_TURNS_FROM_RATES = 703, /**< nearest to what the rates at both ends say: HERMITE, ROTATION_QUINTIC */
+  QTRAJ_TURNS_GIVEN = 704       /**< whole turns beside the shorter one, a number a step: qtraj_create_with_turns() */
+};
 /** Which of the two ways round from a to b an interpolation takes. */
 enum qtraj_path_value {
   QTRAJ_PATH_SHORTEST = 601, /**< to b or -b, whichever is nearer; half a turn apart, to 4 eps, to b */
@@ -375,6 +383,23 @@ QTRAJ_API qtraj_status qtraj_options_set_reference(qtraj_options* options, int32
  * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown rule, or one of
  *   the two PERIODIC) */
 QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, int32_t before, int32_t after);
+
+/** Sets how far each step from key to key turns.
+ *
+ * Keys do not tell how often a body has turned between them: of the turns theta + 2 pi k about one axis that lead from
+ * one to the next, theta being the shorter one, the rule chooses k. SHORTEST: 0, the only rule of NLERP, SQUAD,
+ * LOG_SPLINE and QUATERNION_QUINTIC. AS_GIVEN: 0, or -1, the other way round, where the dot product of the keys is
+ * negative; a step that a period adds is the shorter turn. FROM_RATES: the nearest to h times the mean of the two
+ * rates (and h^2/12 times the difference of the accelerations), along the axis of the step. GIVEN: the numbers that
+ * qtraj_create_with_turns() or qtraj_init() gets. A step that makes whole turns and ends where it began, to 16 eps, has
+ * its axis from the rates; without rates it is QTRAJ_E_AMBIGUOUS with the index of its last key. Samples are
+ * continuous: a key that is reached by an odd number of turns has its sign changed.
+ *
+ * @param options  changed
+ * @param rule     a qtraj_turns_value
+ * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown rule),
+ *   QTRAJ_E_SETTING (the method does not have this rule) */
+QTRAJ_API qtraj_status qtraj_options_set_turns(qtraj_options* options, int32_t rule);
 
 /** Closes a curve whose keys do not: the first key is repeated one period after it; every method has it.
  *
@@ -544,6 +569,61 @@ QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options,
                                                    const float* q_wb, const float* omega, const float* alpha,
                                                    size_t count, qtraj_trajectory** out, size_t* bad_index);
 
+/** Builds a trajectory through keys with a number of whole turns for each step.
+ *
+ * Of SLERP, ROTATION_SPLINE, HERMITE and ROTATION_QUINTIC with QTRAJ_TURNS_GIVEN.
+ *
+ * @param options    method and settings, read during the call
+ * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, at the keys, for HERMITE and ROTATION_QUINTIC; else NULL
+ * @param alpha      [count][3], rad/s^2, at the keys, for ROTATION_QUINTIC; else NULL
+ * @param turns      [count - 1], with a period set [count]: whole turns of each step beside the shorter one, about its
+ *                   axis; negative: the other way round
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory what qtraj_create_with_rates() gives, and
+ *   - QTRAJ_E_NULL: turns; QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED: as there, the latter also where the options
+ *     have another rule for turns;
+ *   - QTRAJ_E_AMBIGUOUS: the step to the key at bad_index makes whole turns, ends where it began, and no rates tell its
+ *     axis;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve: steps of nearly whole turns about changing axes */
+QTRAJ_API qtraj_status qtraj_create_with_turns(const qtraj_options* options, int32_t frame, const double* times,
+                                               const double* q_wb, const double* omega, const double* alpha,
+                                               const int32_t* turns, size_t count, qtraj_trajectory** out,
+                                               size_t* bad_index);
+
+/** Builds a trajectory through keys with a number of whole turns for each step, of float keys: twin of
+ * qtraj_create_with_turns().
+ *
+ * Keys, omega and alpha are read as float, the times as double, and the curve is built in double.
+ *
+ * Of SLERP, ROTATION_SPLINE, HERMITE and ROTATION_QUINTIC with QTRAJ_TURNS_GIVEN.
+ *
+ * @param options    method and settings, read during the call
+ * @param frame      a qtraj_frame_value, of omega and alpha; ignored where omega is NULL
+ * @param times      [count], s, strictly increasing: the knots
+ * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param omega      [count][3], rad/s, at the keys, for HERMITE and ROTATION_QUINTIC; else NULL
+ * @param alpha      [count][3], rad/s^2, at the keys, for ROTATION_QUINTIC; else NULL
+ * @param turns      [count - 1], with a period set [count]: whole turns of each step beside the shorter one, about its
+ *                   axis; negative: the other way round
+ * @param count      number of keys, 2 or more
+ * @param out        receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory what qtraj_create_with_rates_f32() gives, and
+ *   - QTRAJ_E_NULL: turns; QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED: as there, the latter also where the options
+ *     have another rule for turns;
+ *   - QTRAJ_E_AMBIGUOUS: the step to the key at bad_index makes whole turns, ends where it began, and no rates tell its
+ *     axis;
+ *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve: steps of nearly whole turns about changing axes */
+QTRAJ_API qtraj_status qtraj_create_with_turns_f32(const qtraj_options* options, int32_t frame, const double* times,
+                                                   const float* q_wb, const float* omega, const float* alpha,
+                                                   const int32_t* turns, size_t count, qtraj_trajectory** out,
+                                                   size_t* bad_index);
+
 /** Bytes that qtraj_init() and qtraj_init_f32() need, working space included.
  *
  * @param options  method and settings, read during the call
@@ -562,6 +642,7 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param omega      [count][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
  * @param alpha      [count][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param turns      whole turns of each step, for QTRAJ_TURNS_GIVEN, as of qtraj_create_with_turns(); else NULL
  * @param count      number of keys, 2 or more
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
@@ -576,7 +657,7 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                   const double* times, const double* q_wb, const double* omega, const double* alpha,
-                                  size_t count, qtraj_trajectory** out, size_t* bad_index);
+                                  const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index);
 
 /** Builds a trajectory through keys of float in the caller's memory: twin of qtraj_init().
  *
@@ -590,6 +671,7 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param omega      [count][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
  * @param alpha      [count][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param turns      whole turns of each step, for QTRAJ_TURNS_GIVEN, as of qtraj_create_with_turns(); else NULL
  * @param count      number of keys, 2 or more
  * @param out        receives the trajectory, which needs no qtraj_destroy(); NULL on every error
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
@@ -604,7 +686,7 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                       const double* times, const float* q_wb, const float* omega, const float* alpha,
-                                      size_t count, qtraj_trajectory** out, size_t* bad_index);
+                                      const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index);
 
 /** Ends the life of a trajectory, and frees one on the heap. Used after it, it is QTRAJ_E_HANDLE.
  *
@@ -940,6 +1022,19 @@ QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int
  * QTRAJ_E_NO_CONVERGENCE (a segment takes more than 1e5 pieces): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak,
                                               double* omega_time, double* alpha_peak, double* alpha_time);
+
+/** Whether rates and steps tell the same: the largest angle between a step and what the rates at its ends make of it.
+ *
+ * The rates make h times the mean of the two of a step, taken in the body frame in its middle; the step is the rotation
+ * that the curve makes of it, turns included. Of good rates the difference is small, of order h^3; half a radian or
+ * more says that the rates are not what the caller thinks: degrees for radians, world for body, a wrong sign or order.
+ *
+ * @param trajectory  the curve; telling for methods with given rates, of all others the rates are the library's own
+ * @param angle       receives the angle, rad
+ * @param index       receives the index of the step, that of its first key; may be NULL
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory, angle), QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (a rate is past 1e150
+ *   rad/s or rad a step): nothing is written */
+QTRAJ_API qtraj_status qtraj_rate_mismatch(const qtraj_trajectory* trajectory, double* angle, size_t* index);
 
 /** Integral of |alpha|^2 over the segments; impulses at jumps of the rate are not counted.
  *

@@ -38,6 +38,13 @@ enum class Extrapolate : int32_t {
   constant_rate = QTRAJ_EXTRAPOLATE_CONSTANT_RATE,
   periodic = QTRAJ_EXTRAPOLATE_PERIODIC
 };
+enum class Turns : int32_t {
+  standard = QTRAJ_TURNS_DEFAULT,
+  shortest = QTRAJ_TURNS_SHORTEST,
+  as_given = QTRAJ_TURNS_AS_GIVEN,
+  from_rates = QTRAJ_TURNS_FROM_RATES,
+  given = QTRAJ_TURNS_GIVEN
+};
 enum class Path : int32_t { shortest = QTRAJ_PATH_SHORTEST, as_given = QTRAJ_PATH_AS_GIVEN };
 
 // The values of a family of constants are consecutive.
@@ -56,6 +63,9 @@ static constexpr bool is_known(Reference rule) {
 }
 static constexpr bool is_known(Extrapolate rule) {
   return rule == Extrapolate::standard || is_between(rule, Extrapolate::error, Extrapolate::periodic);
+}
+static constexpr bool is_known(Turns rule) {
+  return rule == Turns::standard || is_between(rule, Turns::shortest, Turns::given);
 }
 static constexpr bool is_known(Path path) { return is_between(path, Path::shortest, Path::as_given); }
 

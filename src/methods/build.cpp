@@ -75,7 +75,7 @@ size_t input_index(const KeyframeInput& input, size_t key) {
 }  // namespace
 
 bool trajectory_size(const Options& options, size_t input_count, TrajectorySize& size) {
-  const MethodRow& row = *find_method(options.method);
+  const MethodRow& row = find_row(options);
   if (input_count == SIZE_MAX) return false;
   const size_t count = options.key_count(input_count);
   const size_t handle_per_key = kKnotBytes + kKeyBytes + row.segment_bytes;
@@ -95,14 +95,15 @@ Status check_settings(const Options& options, const KeyframeInput& input, Frame 
   if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha)) return Status::input_missing;
   const bool start_rate_missing = options.start.condition == End::given && !options.start.has_rate;
   const bool end_rate_missing = options.end.condition == End::given && !options.end.has_rate;
-  if (start_rate_missing || end_rate_missing) return Status::input_missing;
-  const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha);
+  const bool has_turns = input.turns != nullptr, needs_turns = options.turns == Turns::given;
+  if (start_rate_missing || end_rate_missing || (needs_turns && !has_turns)) return Status::input_missing;
+  const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha) || (has_turns && !needs_turns);
   return unwanted ? Status::input_unwanted : Status::ok;
 }
 
 Outcome build_trajectory(const Options& options, const KeyframeInput& input, Frame rate_frame, void* handle,
                          void* workspace, Trajectory** out) {
-  const MethodRow& row = *find_method(options.method);
+  const MethodRow& row = find_row(options);
   const size_t count = options.key_count(input.count);
   auto* trajectory = static_cast<Trajectory*>(handle);
   *trajectory = {};
@@ -116,7 +117,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   Keyframes keys = {at_offset<double>(handle, sizeof(Trajectory)),
                     at_offset<double[4]>(handle, trajectory->keys_offset), at_offset<double[4]>(workspace, 0), count};
   KeyframeReport report;
-  Outcome outcome = clean_keyframes(input, keys, report);
+  Outcome outcome = clean_keyframes(input, options.turns == Turns::as_given, keys, report);
   if (outcome.status == Status::ok && options.period > 0)
     outcome = add_closing_key(input, options.period, keys, report);
   if (outcome.status != Status::ok) return outcome;
@@ -137,7 +138,8 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   trajectory->range = construction.range;
   trajectory->iterations = construction.iterations;
   trajectory->residual = construction.residual;
-  trajectory->sign_flips = report.sign_flips;
+  const bool keeps_signs = options.turns == Turns::as_given || !construction.has_turns;
+  trajectory->sign_flips = keeps_signs ? report.sign_flips : count_sign_flips(input, keys);
   trajectory->worst_norm_error = report.worst_norm_error;
   trajectory->least_dot = report.least_dot;
   const size_t last = keys.segments();

@@ -51,11 +51,9 @@ Vector3 chord_rate(const Keyframes& keys, size_t segment) {
 
 namespace {
 
-constexpr size_t kMost = 3;
-
 // Distance in time from the end knot to its k-th neighbour, in units of the end interval.
 struct Neighbours {
-  double at[kMost + 1];
+  double at[kMostNeighbours + 1];
 };
 
 // l_k'(0) of the Lagrange basis on the nodes 0, at[1], ..., at[count].
@@ -74,7 +72,7 @@ bool weights_are_small(const Neighbours& nodes, size_t count) {
 
 }  // namespace
 
-Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double epsilon) {
+Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double epsilon, const Vector3* steps) {
   const bool start = side == Side::start;
   const auto key = [&](size_t k) { return start ? k : keys.count - 1 - k; };
   const double h = keys.step(start ? 0 : keys.segments() - 1);
@@ -95,6 +93,7 @@ Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double
 
   Vector3 slope = Vector3::Zero(), half_angle = Vector3::Zero();
   for (size_t k = 1; k <= count; ++k) {
+    if (steps) half_angle += steps[k - 1];
     half_angle = unwrap(relative_rotation(keys[key(0)], keys[key(k)]), half_angle, epsilon);
     slope += lagrange_slope(nodes, count, k) * half_angle;
   }

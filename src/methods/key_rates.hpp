@@ -25,7 +25,10 @@ Vector3 chord_rate(const Keyframes& keys, size_t segment);
 // Body rate at an end of the keys, rad/s, by the Lagrange derivative there of the rotation vectors from the end key to
 // its `most` neighbours, unwrapped outwards: order `most` in the spacing. Fewer neighbours where there are fewer keys
 // or where the weights, in units of the end interval, would sum to more than 20 (uniform knots, three neighbours: 4.8):
-// on ragged knots larger weights spin the end segment.
-Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double epsilon);
+// on ragged knots larger weights spin the end segment. `steps`, the half-angle vectors of the steps from the end
+// inwards, say how often these turn; null where each is the shorter turn.
+constexpr size_t kMostNeighbours = 3;
+Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double epsilon,
+                           const Vector3* steps = nullptr);
 
 }  // namespace qtraj

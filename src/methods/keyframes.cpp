@@ -35,13 +35,15 @@ void fill_unit(const KeyframeInput& input, size_t key, Keyframes& keys, Keyframe
   keys.set(key, normalized.unit);
 }
 
-// Gives the key the sign that continues the one before.
-void continue_sign(size_t key, Keyframes& keys, KeyframeReport& report) {
+// Gives the key the sign that continues the one before, unless signs are kept.
+void continue_sign(size_t key, bool keeps_signs, Keyframes& keys, KeyframeReport& report) {
   double neighbours = dot(load(keys.q[key - 1]), load(keys.q[key]));
   if (neighbours < 0) {
-    keys.set(key, negate(keys[key]));
     neighbours = -neighbours;
-    ++report.sign_flips;
+    if (!keeps_signs) {
+      keys.set(key, negate(keys[key]));
+      ++report.sign_flips;
+    }
   }
   report.least_dot = std::min(report.least_dot, neighbours);
 }
@@ -53,7 +55,7 @@ void Keyframes::set(size_t key, const UnitQuaternion& unit) {
   store(unit.error, q_remainder[key]);
 }
 
-Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report) {
+Outcome clean_keyframes(const KeyframeInput& input, bool keeps_signs, const Keyframes& keys, KeyframeReport& report) {
   Keyframes cleaned = keys;
   size_t ordinary = 0;  // keys below this index are done, or were made unit by the kernel
   for (size_t key = 0; key < input.count; ++key) {
@@ -62,9 +64,18 @@ Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, Keyfr
     if (status != Status::ok) return {status, key};
     cleaned.times[key] = input.times[key];
     if (key >= ordinary) fill_unit(input, key, cleaned, report);
-    if (key > 0) continue_sign(key, cleaned, report);
+    if (key > 0) continue_sign(key, keeps_signs, cleaned, report);
   }
   return {};
+}
+
+size_t count_sign_flips(const KeyframeInput& input, const Keyframes& keys) {
+  size_t flips = 0;
+  for (size_t key = 0; key < input.count; ++key) {
+    const Quaternion given = scaled_to_one(row_of(input.q_wb, key));
+    flips += dot(given, keys[key].value) < 0 ? 1 : 0;
+  }
+  return flips;
 }
 
 Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& keys, KeyframeReport& report) {
@@ -76,7 +87,7 @@ Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& ke
   if (status != Status::ok) return {status, input.count - 1};
   keys.set(last, keys[0]);
   KeyframeReport of_closing;  // its sign is no fault of the caller's
-  continue_sign(last, keys, of_closing);
+  continue_sign(last, false, keys, of_closing);
   report.least_dot = std::min(report.least_dot, of_closing.least_dot);
   return {};
 }

@@ -13,6 +13,7 @@ struct KeyframeInput {
   const double* times;
   Input<4> q_wb;
   Input<3> omega, alpha;
+  const int32_t* turns;  // of each step between keys, the one to a key that a period adds included; may be null
   size_t count;
 
   // The row that a key has its rates from: a key that was added to close the curve is the first once more.
@@ -20,7 +21,8 @@ struct KeyframeInput {
   double epsilon() const { return epsilon_of(q_wb); }
 };
 
-// Invariant: times strictly increase, q are unit to 1e-30, <q_{i-1}, q_i> >= 0.
+// Invariant: times strictly increase, q are unit to 1e-30, <q_{i-1}, q_i> >= 0 but where a step makes whole turns or
+// the signs are as given.
 struct Keyframes {
   double* times;             // [count]
   double (*q)[4];            // [count], rounded
@@ -43,7 +45,10 @@ struct KeyframeReport {
 
 // Checks all input and fills `keys` from 0 to input.count. On an error the lowest index at fault and,
 // at one index, the first of not_finite, zero_norm, time_order, time_span.
-Outcome clean_keyframes(const KeyframeInput& input, const Keyframes& keys, KeyframeReport& report);
+Outcome clean_keyframes(const KeyframeInput& input, bool keeps_signs, const Keyframes& keys, KeyframeReport& report);
+
+// How many keys of the input have another sign.
+size_t count_sign_flips(const KeyframeInput& input, const Keyframes& keys);
 
 // Makes the last key the first once more, a period after it. time_order with the index of the last key of the input
 // where the period ends before it, time_span where it overflows.

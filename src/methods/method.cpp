@@ -4,6 +4,7 @@
 namespace qtraj {
 
 Outcome build_slerp(Construction& construction);
+Outcome build_turning_slerp(Construction& construction);
 Outcome build_nlerp(Construction& construction);
 Outcome build_squad(Construction& construction);
 Outcome build_log_spline(Construction& construction);
@@ -26,24 +27,43 @@ constexpr unsigned kLogSplineEnds = bit(End::standard) | bit(End::natural) | bit
 constexpr unsigned kRotationSplineEnds = bit(End::standard) | bit(End::chord) | bit(End::natural) |
                                          bit(End::estimated) | bit(End::given) | bit(End::periodic);
 
-// Method, segments, their bytes, ends, tangents, reference, omega, alpha, workspace, builder.
+constexpr unsigned bit(Turns rule) {
+  return 1u << (static_cast<unsigned>(rule) - static_cast<unsigned>(Turns::shortest));
+}
+constexpr unsigned kShortest = bit(Turns::shortest), kTurns = kShortest | bit(Turns::as_given) | bit(Turns::given),
+                   kTurnsOfRates = kTurns | bit(Turns::from_rates);
+
+// Method, segments, their bytes, ends, tangents, reference, omega, alpha, turns, workspace, builder.
 constexpr MethodRow kMethods[] = {
-    {Method{QTRAJ_SLERP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, 0, build_slerp},
-    {Method{QTRAJ_NLERP}, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, false, false, 0,
-     build_nlerp},
+    {Method{QTRAJ_SLERP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kTurns, 0, build_slerp},
+    {Method{QTRAJ_NLERP}, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, false, false,
+     kShortest, 0, build_nlerp},
     {Method{QTRAJ_SQUAD}, SegmentKind::nested_arcs, sizeof(NestedArcsSegment), kSquadEnds, true, false, false, false,
-     kSquadWorkspacePerKey, build_squad},
+     kShortest, kSquadWorkspacePerKey, build_squad},
     {Method{QTRAJ_LOG_SPLINE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kLogSplineEnds, false,
-     true, false, false, kLogSplineWorkspacePerKey, build_log_spline},
+     true, false, false, kShortest, kLogSplineWorkspacePerKey, build_log_spline},
     {Method{QTRAJ_ROTATION_SPLINE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), kRotationSplineEnds,
-     false, false, false, false, kRotationSplineWorkspacePerKey, build_rotation_spline},
+     false, false, false, false, kTurns, kRotationSplineWorkspacePerKey, build_rotation_spline},
     {Method{QTRAJ_HERMITE}, SegmentKind::rotation_vector, sizeof(RotationVectorSegment<3>), 0, false, false, true,
-     false, 0, build_hermite},
+     false, kTurnsOfRates, 0, build_hermite},
     {Method{QTRAJ_ROTATION_QUINTIC}, SegmentKind::rotation_vector_quintic, sizeof(RotationVectorSegment<5>), 0, false,
-     false, true, true, 0, build_rotation_quintic},
+     false, true, true, kTurnsOfRates, 0, build_rotation_quintic},
     {Method{QTRAJ_QUATERNION_QUINTIC}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
-     true, true, 0, build_quaternion_quintic},
+     true, true, kShortest, 0, build_quaternion_quintic},
 };
+
+// SLERP past a half turn: arcs are half turns at most.
+constexpr MethodRow kTurningSlerp = {Method{QTRAJ_SLERP},
+                                     SegmentKind::rotation_vector,
+                                     sizeof(RotationVectorSegment<3>),
+                                     0,
+                                     false,
+                                     false,
+                                     false,
+                                     false,
+                                     kTurns,
+                                     0,
+                                     build_turning_slerp};
 
 }  // namespace
 
@@ -53,6 +73,19 @@ const MethodRow* find_method(Method method) {
   for (const MethodRow& row : kMethods)
     if (row.method == method) return &row;
   return nullptr;
+}
+
+bool MethodRow::accepts_turns(Turns rule) const {
+  return rule == Turns::standard || (is_known(rule) && (turns & bit(rule)) != 0);
+}
+
+Turns MethodRow::default_turns() const {
+  return accepts_turns(Turns::from_rates) ? Turns::from_rates : Turns::shortest;
+}
+
+const MethodRow& find_row(const Options& options) {
+  const MethodRow& row = *find_method(options.method);
+  return row.kind == SegmentKind::arc && options.turns != Turns::shortest ? kTurningSlerp : row;
 }
 
 }  // namespace qtraj

@@ -23,6 +23,8 @@ struct Construction {
   // Of methods that iterate: how often a system was solved, and the residual of the equations (qtraj_residual).
   int32_t iterations = 0;
   double residual = 0;
+  // Whether a step makes whole turns, so that signs of keys are not those that cleaning left (methods/turns.hpp).
+  bool has_turns = false;
 };
 
 // Working space of builders, doubles a key.
@@ -35,13 +37,18 @@ struct MethodRow {
   unsigned ends;  // a bit for each End condition that set_ends takes
   bool has_tangents, has_reference;
   bool needs_omega, needs_alpha;  // rates at all keys
+  unsigned turns;                 // a bit for each Turns rule that set_turns takes
   size_t workspace_per_key;
   Outcome (*build)(Construction&);
 
   bool accepts_end(End condition) const;
+  bool accepts_turns(Turns rule) const;
+  Turns default_turns() const;
 };
 
 // nullptr where the method is unknown.
 const MethodRow* find_method(Method method);
+// The row that builds what the options ask for: a method with turns may have segments of another kind.
+const MethodRow& find_row(const Options& options);
 
 }  // namespace qtraj

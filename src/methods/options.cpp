@@ -34,6 +34,7 @@ Status Options::make(Method method, Options& out) {
   if (!find_method(method)) return Status::value;
   out = Options{};
   out.method = method;
+  out.turns = find_method(method)->default_turns();
   return Status::ok;
 }
 
@@ -92,6 +93,14 @@ Status Options::set_extrapolation(Extrapolate before, Extrapolate after) {
   if (!is_known(before) || !is_known(after) || one_wraps) return Status::value;
   start.extrapolate = before == Extrapolate::standard ? Extrapolate::error : before;
   end.extrapolate = after == Extrapolate::standard ? Extrapolate::error : after;
+  return Status::ok;
+}
+
+Status Options::set_turns(Turns rule) {
+  if (!is_known(rule)) return Status::value;
+  const MethodRow& row = *find_method(method);
+  if (!row.accepts_turns(rule)) return Status::setting;
+  turns = rule == Turns::standard ? row.default_turns() : rule;
   return Status::ok;
 }
 

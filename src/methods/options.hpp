@@ -25,6 +25,7 @@ struct Options {
   Tangent tangents = Tangent::catmull_rom;
   Reference reference = Reference::first;
   Quaternion reference_q = Quaternion::Zero();  // where reference is given
+  Turns turns = Turns::shortest;                // never standard
   double period = 0;                            // s; 0: no key is added
   double closure = 1e-6;  // rad, by which the last key of a closed curve may differ from the first
   double longest_gap = std::numeric_limits<double>::infinity();  // s
@@ -38,6 +39,7 @@ struct Options {
   Status set_tangents(Tangent rule);
   Status set_reference(Reference rule, const double* q_wb);
   Status set_extrapolation(Extrapolate before, Extrapolate after);
+  Status set_turns(Turns rule);
   Status set_period(double seconds);  // 0: none
   Status set_closure(double angle);
   Status set_longest_gap(double seconds);  // 0: none

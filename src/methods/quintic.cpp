@@ -3,6 +3,7 @@
 #include "methods/key_rates.hpp"
 #include "methods/method.hpp"
 #include "methods/polynomials.hpp"
+#include "methods/turns.hpp"
 
 namespace qtraj {
 namespace {
@@ -10,11 +11,7 @@ namespace {
 // Past this the squares of rates in the formulas could overflow.
 constexpr double kLimit = 0x1p240;
 
-// Given rates at both ends of a segment, body frame, in units of the segment.
-struct SegmentRates {
-  Vector3 first[2], second[2];  // h omega, h^2 alpha
-};
-Outcome given_segment_rates(const Construction& construction, size_t segment, SegmentRates& rates) {
+Outcome given_segment_rates(const Construction& construction, size_t segment, StepRates& rates) {
   const double h = construction.keys.step(segment);
   for (size_t end = 0; end < 2; ++end) {
     const size_t key = segment + end;
@@ -24,7 +21,7 @@ Outcome given_segment_rates(const Construction& construction, size_t segment, Se
   return {};
 }
 
-void keep_end_rates(Construction& construction, size_t segment, const SegmentRates& rates) {
+void keep_end_rates(Construction& construction, size_t segment, const StepRates& rates) {
   const double h = construction.keys.step(segment);
   if (segment == 0) construction.omega_start = rates.first[0] / h;
   construction.omega_end = rates.first[1] / h;
@@ -33,24 +30,29 @@ void keep_end_rates(Construction& construction, size_t segment, const SegmentRat
 }  // namespace
 
 // ROTATION_QUINTIC: q_i exp(r/2), r the quintic with the ends of HERMITE and the given body accelerations:
-// r''(0) = alpha_i, r''(h) = Jr^-1(R_i) (alpha_{i+1} - beta(R_i, r'(h))), beta of so3.hpp.
+// r''(0) = alpha_i, r''(h) = Jr^-1(R_i) (alpha_{i+1} - beta(R_i, r'(h))), beta of so3.hpp; a step with whole turns as
+// there.
 // rate_too_fast with a key's index where |h omega| or |h^2 alpha| exceeds 2^240.
 Outcome build_rotation_quintic(Construction& construction) {
   const Keyframes& keys = construction.keys;
   auto* segments = static_cast<RotationVectorSegment<5>*>(construction.segments);
   double bound = 0;
   for (size_t i = 0; i < keys.segments(); ++i) {
-    SegmentRates rates;
-    const Outcome outcome = given_segment_rates(construction, i, rates);
+    StepRates rates;
+    Outcome outcome = given_segment_rates(construction, i, rates);
     if (outcome.status != Status::ok) return outcome;
 
-    const Vector3 log = relative_log(keys[i], keys[i + 1]), r = 2.0 * log;
-    const Vector3 end_first = inverse_right_jacobian(r, rates.first[1]);
-    const Vector3 end_second =
-        inverse_right_jacobian(r, Vector3(rates.second[1] - turning_acceleration(turning_factors(r), r, end_first)));
-    const EndValues<Vector3> p = {
-        {Vector3::Zero(), log}, {0.5 * rates.first[0], 0.5 * end_first}, {0.5 * rates.second[0], 0.5 * end_second}};
-    bound = std::max(bound, set_quintic(keys[i].value, keys.step(i), p, segments[i]));
+    Step step;
+    outcome = take_step(construction, i, &rates, step);
+    if (outcome.status != Status::ok) return outcome;
+    const Chart chart = chart_of(keys[i], step);
+    const Vector3 first[2] = {first_derivative(chart.start, rates.first[0]),
+                              first_derivative(chart.end, rates.first[1])};
+    const EndValues<Vector3> p = {{0.5 * chart.start, 0.5 * chart.end},
+                                  {0.5 * first[0], 0.5 * first[1]},
+                                  {0.5 * second_derivative(chart.start, first[0], rates.second[0]),
+                                   0.5 * second_derivative(chart.end, first[1], rates.second[1])}};
+    bound = std::max(bound, set_quintic(chart.base, keys.step(i), p, segments[i]));
     keep_end_rates(construction, i, rates);
   }
   construction.range = range_of(bound);
@@ -65,7 +67,7 @@ Outcome build_quaternion_quintic(Construction& construction) {
   auto* segments = static_cast<NormalizedSegment<5>*>(construction.segments);
   double largest = 0;
   for (size_t i = 0; i < keys.segments(); ++i) {
-    SegmentRates rates;
+    StepRates rates;
     const Outcome outcome = given_segment_rates(construction, i, rates);
     if (outcome.status != Status::ok) return outcome;
 

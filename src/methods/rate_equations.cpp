@@ -3,6 +3,7 @@
 #include "math/arithmetic.hpp"
 #include "methods/key_rates.hpp"
 #include "methods/key_rotations.hpp"
+#include "methods/turns.hpp"
 #include "targets/kernels.hpp"
 
 namespace qtraj {
@@ -52,20 +53,31 @@ IntervalShares RateEquations::shares(size_t knot) const {
   return knot == 0 ? IntervalShares{1.0, 0.0} : IntervalShares{0.0, 1.0};
 }
 
+Vector3 RateEquations::estimated_rate(size_t knot) const {
+  const bool at_start = knot == 0;
+  // half-angle vectors of the steps from the end inwards: where they turn far, they tell the branch
+  Vector3 steps[kMostNeighbours];
+  for (size_t k = 0; k < kMostNeighbours && k < keys_.segments(); ++k)
+    steps[k] = at_start ? Vector3(0.5 * r(k)) : Vector3(-0.5 * r(keys_.segments() - 1 - k));
+  const bool has_turns = construction_.has_turns;
+  return estimated_end_rate(keys_, at_start ? Side::start : Side::end, kMostNeighbours, construction_.input.epsilon(),
+                            has_turns ? steps : nullptr);
+}
+
 Outcome RateEquations::fix_end(size_t knot) {
   const EndSetting& end = *open_end(knot);
   const size_t segment = knot == 0 ? 0 : knot - 1;
   RateEquation& row = rows_[knot];
   Vector3 w;
   if (end.condition == End::chord) {
-    w = chord_rate(keys_, segment);
+    w = construction_.has_turns ? Vector3(r(segment) / h(segment)) : chord_rate(keys_, segment);
   } else if (end.condition == End::given) {
     if (!scaled_to_body(end.omega, construction_.options.rate_frame, keys_[knot].value, h(segment), kLargestScaledRate,
                         w))
       return {Status::rate_too_fast, knot};
     w /= h(segment);
   } else {
-    w = estimated_end_rate(keys_, knot == 0 ? Side::start : Side::end, 3, construction_.input.epsilon());
+    w = estimated_rate(knot);
   }
   const Vector3 d = inverse_right_jacobian(load(row.r), w);
   set_rate(d, rate_from(row, d), row);
@@ -73,14 +85,28 @@ Outcome RateEquations::fix_end(size_t knot) {
   return {};
 }
 
-// R of the segments, and the Jacobian and the factors of beta, which depend on R alone: by a kernel, and what it leaves
-// by the core.
-void RateEquations::prepare_segments() {
-  for_each_log(keys_, [&](size_t i, const Vector3& log) {
+// R of the segments: without turns by a kernel.
+Outcome RateEquations::prepare_steps() {
+  const auto set = [&](size_t i, const Vector3& log) {
     RateEquation& row = rows_[end_of(i)];
     store(Vector3(2.0 * log), row.r);
     row.h = h(i);
-  });
+  };
+  if (construction_.options.turns == Turns::shortest) {
+    for_each_log(keys_, set);
+    return {};
+  }
+  for (size_t i = 0; i < keys_.segments(); ++i) {
+    Step step;
+    const Outcome outcome = take_step(construction_, i, nullptr, step);
+    if (outcome.status != Status::ok) return outcome;
+    set(i, step.log);
+  }
+  return {};
+}
+
+// The Jacobian and the factors of beta, which depend on R alone: by a kernel, and what it leaves by the core.
+void RateEquations::prepare_segments() {
   static_assert(sizeof(rows_->turning) == sizeof(double[3]), "three numbers, the first along_once");
   const JacobianRecords records = {rows_->r, rows_->jacobian, &rows_->turning.along_once,
                                    sizeof(RateEquation) / sizeof(double)};
@@ -117,6 +143,8 @@ Outcome RateEquations::prepare() {
     rows_[0] = {};
     rows_[0].h = h(0);
   }
+  const Outcome steps = prepare_steps();
+  if (steps.status != Status::ok) return steps;
   prepare_segments();
   for (size_t knot = 0; knot < unknowns_; ++knot) {
     prepare_row(knot);

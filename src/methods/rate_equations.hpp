@@ -75,7 +75,9 @@ class RateEquations {
   const EndSetting* open_end(size_t knot) const;
   IntervalShares shares(size_t knot) const;
   Outcome fix_end(size_t knot);
+  Outcome prepare_steps();
   void prepare_segments();
+  Vector3 estimated_rate(size_t knot) const;
   void prepare_row(size_t knot);
 
   double scale_at(const RateEquation& row) const;

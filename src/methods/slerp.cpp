@@ -1,7 +1,9 @@
-// The builder of SLERP.
+// The builders of SLERP.
 #include "math/arc.hpp"
 #include "methods/key_rates.hpp"
 #include "methods/method.hpp"
+#include "methods/polynomials.hpp"
+#include "methods/turns.hpp"
 
 namespace qtraj {
 
@@ -20,6 +22,25 @@ Outcome build_slerp(Construction& construction) {
   }
   construction.omega_start = chord_rate(keys, 0);
   construction.omega_end = chord_rate(keys, keys.segments() - 1);
+  return {};
+}
+
+// The same with turns: q_i exp(p u), p the half-angle vector of the step.
+Outcome build_turning_slerp(Construction& construction) {
+  const Keyframes& keys = construction.keys;
+  auto* segments = static_cast<RotationVectorSegment<3>*>(construction.segments);
+  double bound = 0;
+  for (size_t i = 0; i < keys.segments(); ++i) {
+    Step step;
+    const Outcome outcome = take_step(construction, i, nullptr, step);
+    if (outcome.status != Status::ok) return outcome;
+    const double h = keys.step(i);
+    const EndValues<Vector3> p = {{Vector3::Zero(), step.log}, {step.log, step.log}, {}};
+    bound = std::max(bound, set_cubic(keys[i].value, h, p, segments[i]));
+    if (i == 0) construction.omega_start = 2.0 / h * step.log;
+    construction.omega_end = 2.0 / h * step.log;
+  }
+  construction.range = range_of(bound);
   return {};
 }
 

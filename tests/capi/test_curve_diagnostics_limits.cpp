@@ -13,6 +13,7 @@ Trajectory winding(double turning) {
   const double times[] = {0, 1}, q[] = {1, 0, 0, 0, 0.8, 0.6, 0, 0};
   const double omega[] = {turning, 0.3 * turning, 0, 0, turning, 0.2 * turning};
   qtraj_options* options = test::make_options({QTRAJ_HERMITE});
+  CHECK(qtraj_options_set_turns(options, QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   qtraj_trajectory* handle = nullptr;
   CHECK(qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, times, q, omega, nullptr, 2, &handle, nullptr) == QTRAJ_OK);
   qtraj_options_destroy(options);

@@ -27,7 +27,9 @@ TEST_CASE("C API: getters describe the keys as given", "[capi][getters]") {
     const Keyframes<Real> mine = {keys.times, std::vector<Real>(keys.q.begin(), keys.q.end())};
     for (const int32_t method : all_methods()) {
       CAPTURE(method);
-      const Trajectory curve = must_build(make_options({"", method}).get(), mine, rates_for<Real>({"", method}, 4));
+      const Options options = make_options({"", method});
+      REQUIRE(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
+      const Trajectory curve = must_build(options.get(), mine, rates_for<Real>({"", method}, 4));
       CHECK(qtraj_method(curve.get()) == method);
       CHECK(qtraj_key_count(curve.get()) == 4);
       CHECK(qtraj_start_time(curve.get()) == -1.0);

@@ -177,7 +177,7 @@ TEST_CASE("C API: an input beyond the bytes that init needs is no overlap", "[ca
   const double* q = put(after, all.keys.q);
   qtraj_trajectory* out = nullptr;
   CHECK(qtraj_init(block.data(), block.size() * sizeof(double), all.options.get(), 0, all.keys.times.data(), q, nullptr,
-                   nullptr, 4, &out, nullptr) == QTRAJ_OK);
+                   nullptr, nullptr, 4, &out, nullptr) == QTRAJ_OK);
   CHECK(std::equal(all.keys.q.begin(), all.keys.q.end(), q));
 }
 

@@ -124,7 +124,8 @@ void check_options_calls(qtraj_options* handle, qtraj_status expected) {
   CHECK(qtraj_create_with_rates(handle, QTRAJ_FRAME_BODY, kTimes, kKeys, kKeys, nullptr, 2, &out, nullptr) == expected);
   CHECK(qtraj_init_size(handle, 2, &bytes) == expected);
   CHECK(bytes == 7);
-  CHECK(qtraj_init(memory, sizeof memory, handle, 0, kTimes, kKeys, nullptr, nullptr, 2, &out, nullptr) == expected);
+  CHECK(qtraj_init(memory, sizeof memory, handle, 0, kTimes, kKeys, nullptr, nullptr, nullptr, 2, &out, nullptr) ==
+        expected);
   CHECK(out == nullptr);
 }
 
@@ -160,7 +161,7 @@ TEST_CASE("C API: handles in the caller's memory are void once destroyed, and on
   REQUIRE(qtraj_init_size(options, 2, &bytes) == QTRAJ_OK);
   std::vector<double> memory(bytes / sizeof(double) + 1);
   qtraj_trajectory* curve = nullptr;
-  REQUIRE(qtraj_init(memory.data(), bytes, options, 0, kTimes, kKeys, nullptr, nullptr, 2, &curve, nullptr) ==
+  REQUIRE(qtraj_init(memory.data(), bytes, options, 0, kTimes, kKeys, nullptr, nullptr, nullptr, 2, &curve, nullptr) ==
           QTRAJ_OK);
   CHECK(qtraj_key_count(curve) == 2);
 

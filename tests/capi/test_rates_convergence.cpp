@@ -106,8 +106,8 @@ TEST_CASE("C API: keys without convergence are NO_CONVERGENCE: no trajectory, no
     REQUIRE(qtraj_init_size(options.get(), 5, &bytes) == QTRAJ_OK);
     const std::unique_ptr<void, Free> memory(std::malloc(bytes));
     out = reinterpret_cast<qtraj_trajectory*>(&stale);
-    CHECK(qtraj_init(memory.get(), bytes, options.get(), 0, keys.times.data(), keys.q.data(), nullptr, nullptr, 5, &out,
-                     nullptr) == QTRAJ_E_NO_CONVERGENCE);
+    CHECK(qtraj_init(memory.get(), bytes, options.get(), 0, keys.times.data(), keys.q.data(), nullptr, nullptr, nullptr,
+                     5, &out, nullptr) == QTRAJ_E_NO_CONVERGENCE);
     CHECK(out == nullptr);
   }
 }

@@ -78,9 +78,9 @@ double construction_time(const Variant& variant, const Options& options, const I
                *alpha = variant.needs_alpha() ? input.rates.data() : nullptr;
   qtraj_trajectory* handle = nullptr;
   const std::clock_t start = std::clock();
-  const qtraj_status status =
-      qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_BODY,
-                 input.keys.times.data(), input.keys.q.data(), omega, alpha, input.keys.count(), &handle, nullptr);
+  const qtraj_status status = qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_BODY,
+                                         input.keys.times.data(), input.keys.q.data(), omega, alpha, nullptr,
+                                         input.keys.count(), &handle, nullptr);
   const std::clock_t end = std::clock();
   qtraj_destroy(handle);
   REQUIRE(status == QTRAJ_OK);

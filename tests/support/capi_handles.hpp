@@ -58,12 +58,12 @@ inline qtraj_status create_with_rates(const qtraj_options* options, int32_t fram
 inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
                          const double* q, const double* omega, const double* alpha, size_t count,
                          qtraj_trajectory** out, size_t* bad_index) {
-  return qtraj_init(memory, bytes, options, frame, times, q, omega, alpha, count, out, bad_index);
+  return qtraj_init(memory, bytes, options, frame, times, q, omega, alpha, nullptr, count, out, bad_index);
 }
 inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
                          const float* q, const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
                          size_t* bad_index) {
-  return qtraj_init_f32(memory, bytes, options, frame, times, q, omega, alpha, count, out, bad_index);
+  return qtraj_init_f32(memory, bytes, options, frame, times, q, omega, alpha, nullptr, count, out, bad_index);
 }
 inline qtraj_status sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
                            size_t* bad_index) {

@@ -58,6 +58,8 @@ inline KernelCurve kernel_curve(const KernelCase& c, int32_t before, int32_t aft
   const double shift = start - walk.times.front();
   for (double& time : walk.times) time += shift;
   const capi::Options options = capi::make_options(c.variant);
+  // rates beyond what the steps turn: they shall wind the curves, not add turns to them
+  REQUIRE(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   REQUIRE(qtraj_options_set_extrapolation(options.get(), before, after) == QTRAJ_OK);
   const capi::Keyframes<double> keys = {walk.times, walk.q};
   return {c.variant.name, walk.times,

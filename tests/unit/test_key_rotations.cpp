@@ -68,9 +68,13 @@ struct Cleaned {
     keys = {times.data(), reinterpret_cast<double(*)[4]>(q.data()), reinterpret_cast<double(*)[4]>(error.data()),
             count};
     const Real* none = nullptr;
-    const qtraj::KeyframeInput input = {knots.data(), qtraj::input<4>(given, count), qtraj::input<3>(none, count),
-                                        qtraj::input<3>(none, count), count};
-    outcome = qtraj::clean_keyframes(input, keys, report);
+    const qtraj::KeyframeInput input = {knots.data(),
+                                        qtraj::input<4>(given, count),
+                                        qtraj::input<3>(none, count),
+                                        qtraj::input<3>(none, count),
+                                        nullptr,
+                                        count};
+    outcome = qtraj::clean_keyframes(input, false, keys, report);
   }
 };
 

@@ -25,8 +25,12 @@ struct Storage {
 qtraj::KeyframeInput input_of(const test::Keys& keys) {
   const size_t count = keys.count();
   const double* none = nullptr;
-  return {keys.times.data(), qtraj::input<4>(keys.q.data(), count), qtraj::input<3>(none, count),
-          qtraj::input<3>(none, count), count};
+  return {keys.times.data(),
+          qtraj::input<4>(keys.q.data(), count),
+          qtraj::input<3>(none, count),
+          qtraj::input<3>(none, count),
+          nullptr,
+          count};
 }
 
 }  // namespace
@@ -41,7 +45,7 @@ TEST_CASE("cleaning makes signs continuous, a tie keeps its sign, the first key 
   Storage storage(given.count());
   qtraj::KeyframeReport report;
   const qtraj::Keyframes keys = storage.keys();
-  REQUIRE(qtraj::clean_keyframes(input_of(given), keys, report).status == Status::ok);
+  REQUIRE(qtraj::clean_keyframes(input_of(given), false, keys, report).status == Status::ok);
   CHECK(keys[0].value == qtraj::Quaternion(-1, 0, 0, 0));
   CHECK(keys[1].value == qtraj::Quaternion(0, 1, 0, 0));
   CHECK(keys[2].value[1] > 0.99);
@@ -97,7 +101,7 @@ TEST_CASE("closing needs the last key within 1e-6 rad of plus or minus the first
       Storage storage(given.count());
       qtraj::KeyframeReport report;
       qtraj::Keyframes keys = storage.keys();
-      REQUIRE(qtraj::clean_keyframes(input_of(given), keys, report).status == Status::ok);
+      REQUIRE(qtraj::clean_keyframes(input_of(given), false, keys, report).status == Status::ok);
       const qtraj::Outcome outcome = qtraj::close_keyframes(keys, 1e-6);
       CAPTURE(angle, sign);
       CHECK(outcome.status == (angle < 1e-6 ? Status::ok : Status::not_closed));
@@ -114,7 +118,7 @@ TEST_CASE("an end rate is estimated from as many keys as its weights allow", "[e
     for (const double time : times) given.add(time, test::about(axis, 0.25 * time * time * time));
     Storage storage(given.count());
     qtraj::KeyframeReport report;
-    REQUIRE(qtraj::clean_keyframes(input_of(given), storage.keys(), report).status == Status::ok);
+    REQUIRE(qtraj::clean_keyframes(input_of(given), false, storage.keys(), report).status == Status::ok);
     return qtraj::estimated_end_rate(storage.keys(), side, most, DBL_EPSILON)[2];
   };
   // three neighbours are exact for a cubic angle

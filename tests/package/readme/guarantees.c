@@ -37,12 +37,12 @@ static void check_memory_and_environment(void) {
     const double* alpha = method > QTRAJ_HERMITE ? still[0] : NULL;
     CHECK(!qtraj_options_init(options_memory, sizeof options_memory, method, &options));
     CHECK(!qtraj_init_size(options, count, &bytes) && bytes <= sizeof memory);
-    CHECK(qtraj_init(memory, bytes - 1, options, QTRAJ_FRAME_BODY, times, keys[0], omega, alpha, count, &trajectory,
-                     NULL) == QTRAJ_E_BUFFER);
+    CHECK(qtraj_init(memory, bytes - 1, options, QTRAJ_FRAME_BODY, times, keys[0], omega, alpha, NULL, count,
+                     &trajectory, NULL) == QTRAJ_E_BUFFER);
     CHECK(qtraj_init((char*)memory + 4, sizeof memory - 4, options, QTRAJ_FRAME_BODY, times, keys[0], omega, alpha,
-                     count, &trajectory, NULL) == QTRAJ_E_BUFFER);
-    CHECK(
-        !qtraj_init(memory, bytes, options, QTRAJ_FRAME_BODY, times, keys[0], omega, alpha, count, &trajectory, NULL));
+                     NULL, count, &trajectory, NULL) == QTRAJ_E_BUFFER);
+    CHECK(!qtraj_init(memory, bytes, options, QTRAJ_FRAME_BODY, times, keys[0], omega, alpha, NULL, count, &trajectory,
+                      NULL));
     qtraj_sample_rates(trajectory, QTRAJ_FRAME_WORLD, several, 3, q[0], rates[0], rates[3], NULL);
     qtraj_curve_peak_rates(trajectory, &q[0][0], NULL, NULL, NULL);
     qtraj_sample(trajectory, several, 3, q[0], NULL);
