@@ -958,7 +958,8 @@ QTRAJ_API double qtraj_least_dot(const qtraj_trajectory* trajectory);
 /** Iterations that the constructor took.
  *
  * @param trajectory  may be NULL
- * @return ROTATION_SPLINE: how often its equations were solved; 0 for all other methods and for NULL */
+ * @return ROTATION_SPLINE: how often its equations were solved, parts of them by their share, rounded up; 0 for all
+ *   other methods and for NULL */
 QTRAJ_API int32_t qtraj_iterations(const qtraj_trajectory* trajectory);
 
 /** What rounding left of the equations of a ROTATION_SPLINE.

@@ -16,9 +16,10 @@ struct BlockSpace {
   double (*column)[9];   // [count], d x_i / d x_0; cyclic systems only
 };
 
-// Factorizes the left sides, without pivoting between rows. False where a pivot block is singular.
+// Factorizes the left sides, without pivoting between rows. False where a pivot block is singular. Tridiagonal: rows
+// first ... last - 1 in their own x; terms in other x are not there, or in right.
 template <class System>
-bool factorize_tridiagonal(size_t count, const System& system, const BlockSpace& space);
+bool factorize_tridiagonal(size_t first, size_t last, const System& system, const BlockSpace& space);
 template <class System>
 bool factorize_cyclic(size_t count, const System& system, const BlockSpace& space);
 
@@ -26,7 +27,7 @@ bool factorize_cyclic(size_t count, const System& system, const BlockSpace& spac
 // i in no particular order, after the last call of right. It is called as the x appear, not at the end: back
 // substitution is one dependency chain, and the caller's work on each x overlaps with it.
 template <class System, class Take>
-void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space, const Take& take);
+void solve_tridiagonal(size_t first, size_t last, const System& system, const BlockSpace& space, const Take& take);
 template <class System, class Take>
 void solve_cyclic(size_t count, const System& system, const BlockSpace& space, const Take& take);
 
@@ -34,11 +35,10 @@ void solve_cyclic(size_t count, const System& system, const BlockSpace& space, c
 
 namespace block {
 
-// Factorizes rows first ... count - 1 as a tridiagonal system in x_first ... x_{count-1}; terms in other x are ignored.
 template <class System>
-bool invert_pivots(size_t first, size_t count, const System& system, const BlockSpace& space) {
+bool invert_pivots(size_t first, size_t last, const System& system, const BlockSpace& space) {
   Matrix3 inverse = Matrix3::Zero();
-  for (size_t i = first; i < count; ++i) {
+  for (size_t i = first; i < last; ++i) {
     Matrix3 pivot = system.diagonal(i);
     if (i > first) pivot -= system.upper(i - 1) * product(system.lower(i), inverse);
     if (!invert(pivot, inverse)) return false;
@@ -48,14 +48,14 @@ bool invert_pivots(size_t first, size_t count, const System& system, const Block
 }
 
 template <class System, class Take>
-void substitute(size_t first, size_t count, const System& system, const BlockSpace& space, const Take& take) {
+void substitute(size_t first, size_t last, const System& system, const BlockSpace& space, const Take& take) {
   Vector3 x = Vector3::Zero();
-  for (size_t i = first; i < count; ++i) {
+  for (size_t i = first; i < last; ++i) {
     x = product(load_matrix(space.inverse[i]), system.right(i, x));
     store(x, space.x[i]);
   }
-  take(count - 1, x);
-  for (size_t i = count - 1; i-- > first;) {
+  take(last - 1, x);
+  for (size_t i = last - 1; i-- > first;) {
     x = load(space.x[i]) - system.upper(i) * product(load_matrix(space.inverse[i]), x);
     take(i, x);
   }
@@ -64,13 +64,13 @@ void substitute(size_t first, size_t count, const System& system, const BlockSpa
 }  // namespace block
 
 template <class System>
-bool factorize_tridiagonal(size_t count, const System& system, const BlockSpace& space) {
-  return block::invert_pivots(0, count, system, space);
+bool factorize_tridiagonal(size_t first, size_t last, const System& system, const BlockSpace& space) {
+  return block::invert_pivots(first, last, system, space);
 }
 
 template <class System, class Take>
-void solve_tridiagonal(size_t count, const System& system, const BlockSpace& space, const Take& take) {
-  block::substitute(0, count, system, space, take);
+void solve_tridiagonal(size_t first, size_t last, const System& system, const BlockSpace& space, const Take& take) {
+  block::substitute(first, last, system, space, take);
 }
 
 template <class System>

@@ -20,7 +20,8 @@ struct Construction {
   Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
   // Largest |p| of rotation-vector segments.
   ExponentRange range = ExponentRange::quarter_turn;
-  // Of methods that iterate: how often a system was solved, and the residual of the equations (qtraj_residual).
+  // Of methods that iterate: how often the system was solved, parts of it by their share, and the residual of the
+  // equations (qtraj_residual).
   int32_t iterations = 0;
   double residual = 0;
   // Whether a step makes whole turns, so that signs of keys are not those that cleaning left (methods/turns.hpp).

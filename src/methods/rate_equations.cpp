@@ -152,8 +152,8 @@ Outcome RateEquations::prepare() {
       const Outcome outcome = fix_end(knot);
       if (outcome.status != Status::ok) return outcome;
     }
-    fastest_ = std::max(fastest_, rows_[knot].local_rate);
   }
+  select_all();
   return {};
 }
 
@@ -185,15 +185,23 @@ struct RateEquations::System {
 
 // ---- Their solution ----
 
+void RateEquations::select(size_t first, size_t last) {
+  first_ = first;
+  last_ = last;
+  fastest_ = 0;
+  for (size_t knot = first_; knot < last_; ++knot) fastest_ = std::max(fastest_, rows_[knot].local_rate);
+}
+
 // The unit for changes of the rate at a knot: the size of the rates around it. Where these are 0, at repeated keys, it
-// is a share of the fastest rate of the curve; where that is 0 or subnormal too, a negligible rate.
+// is a share of the fastest of the selected rates; where that is 0 or subnormal too, a negligible rate.
 double RateEquations::scale_at(const RateEquation& row) const {
   return std::max({row.local_rate, 1e-6 * fastest_, 1e-290});
 }
 
 bool RateEquations::factorize(double weight) {
   const System system = {rows_, unknowns_, weight};
-  return closed() ? factorize_cyclic(unknowns_, system, space_) : factorize_tridiagonal(unknowns_, system, space_);
+  return is_cyclic() ? factorize_cyclic(unknowns_, system, space_)
+                     : factorize_tridiagonal(first_, last_, system, space_);
 }
 
 bool RateEquations::step(double weight, double& size) {
@@ -211,23 +219,23 @@ bool RateEquations::step(double weight, double& size) {
     set_rate(d, w, row);
     fastest = std::max(fastest, row.local_rate);
   };
-  if (closed())
+  if (is_cyclic())
     solve_cyclic(unknowns_, system, space_, add_change);
   else
-    solve_tridiagonal(unknowns_, system, space_, add_change);
-  ++construction_.iterations;
+    solve_tridiagonal(first_, last_, system, space_, add_change);
+  work_ += last_ - first_;
   fastest_ = fastest;
   size = largest_change;
   return within_limits;
 }
 
 void RateEquations::save() {
-  for (size_t knot = 0; knot < unknowns_; ++knot) store(load(rows_[knot].d), rows_[knot].saved);
+  for (size_t knot = first_; knot < last_; ++knot) store(load(rows_[knot].d), rows_[knot].saved);
 }
 
 void RateEquations::restore() {
   fastest_ = 0;
-  for (size_t knot = 0; knot < unknowns_; ++knot) {
+  for (size_t knot = first_; knot < last_; ++knot) {
     RateEquation& row = rows_[knot];
     set_rate(load(row.saved), rate_from(row, load(row.saved)), row);
     fastest_ = std::max(fastest_, row.local_rate);
@@ -236,7 +244,7 @@ void RateEquations::restore() {
 
 double RateEquations::change_from_saved() const {
   double change = 0;
-  for (size_t knot = 0; knot < unknowns_; ++knot) {
+  for (size_t knot = first_; knot < last_; ++knot) {
     const RateEquation& row = rows_[knot];
     const Vector3 difference = load(row.w) - rate_from(row, load(row.saved));
     change = std::max(change, largest_component(difference) / scale_at(row));

@@ -35,22 +35,32 @@ struct RateEquation {
 // Working space: the equations, and the elimination's vector and two matrices.
 static_assert(sizeof(RateEquation) == (kRotationSplineWorkspacePerKey - 3 - 18) * sizeof(double));
 
-// The equations for the rates and the steps of their solution, with beta weighted by a factor from 0 to 1.
+// The equations for the rates and the steps of their solution, with beta weighted by a factor from 0 to 1. What is
+// solved are the equations of the selected knots for their rates; all other rates stay as they are.
 class RateEquations {
  public:
   explicit RateEquations(Construction& construction);
 
-  // Sets up the equations, the rates that are fixed by end conditions, and all other rates to 0.
+  // Sets up the equations, the rates that are fixed by end conditions, and all other rates to 0, and selects all knots.
   Outcome prepare();
+  // Number of knots with a rate of their own.
+  size_t unknowns() const { return unknowns_; }
+  // Selects the knots first ... last - 1, or all.
+  void select(size_t first, size_t last);
+  void select_all() { select(0, unknowns_); }
   // Factorizes the matrix of the Newton step from the present rates; false where it is singular.
   bool factorize(double weight);
   // Takes one step with that matrix; its size is relative to the rates around each knot. False where a rate leaves its
   // limit.
   bool step(double weight, double& size);
-  // Save the rates, go back to them, and tell how far the rates have moved since, relative as in step.
+  // Save the selected rates, go back to them, and tell how far they have moved since, relative as in step.
   void save();
   void restore();
   double change_from_saved() const;
+  // Knots in all steps so far, each counted as often as it was selected; and that in steps of the whole curve, rounded
+  // up.
+  size_t work() const { return work_; }
+  int32_t iterations() const { return static_cast<int32_t>((work_ + unknowns_ - 1) / unknowns_); }
   // Largest jump of alpha that is left, in units of the largest of |alpha| and |omega|/h.
   double residual() const;
 
@@ -64,6 +74,7 @@ class RateEquations {
  private:
   struct System;
 
+  bool is_cyclic() const { return closed() && last_ - first_ == unknowns_; }
   bool closed() const { return construction_.options.closed(); }
   double h(size_t segment) const { return keys_.step(segment); }
   // The knots and segments beside a knot. Past an end these are at the other end of the curve; in an open curve they
@@ -87,7 +98,9 @@ class RateEquations {
   const size_t unknowns_;  // a closed curve has one rate for its first and last knot
   RateEquation* rows_;     // [unknowns_]
   BlockSpace space_;
-  double fastest_ = 0;  // the largest of the rates at knots and chords
+  size_t first_ = 0, last_ = 0;  // the selection
+  double fastest_ = 0;           // the largest of the rates at selected knots and their chords
+  size_t work_ = 0;
 };
 
 }  // namespace qtraj

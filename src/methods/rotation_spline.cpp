@@ -30,11 +30,21 @@ bool converge(RateEquations& equations, double weight) {
   return true;
 }
 
+// Whether continuation may go on. The work of a curve is bounded by kStepsPerKnot for each of its knots, on average,
+// and kAnyCurve for all of them together, as counted by RateEquations::work(), and by the steps of one weight more.
+// Ordinary curves take 3 to 6 a knot, and a step is about a tenth of their construction: the first number is some 50
+// ordinary constructions, the second a tenth of a second, which lets short curves go on for longer.
+bool may_go_on(const RateEquations& equations) {
+  constexpr size_t kStepsPerKnot = 512, kAnyCurve = size_t{1} << 20;
+  return equations.work() / kStepsPerKnot < equations.unknowns() + kAnyCurve / kStepsPerKnot;
+}
+
 // Continuation: raises the weight of beta from 0 to 1, by increments that grow after success and are halved after
 // failure.
 bool continue_from_zero(RateEquations& equations) {
   double weight = 0, increment = 0.25;
   while (weight < 1.0) {
+    if (!may_go_on(equations)) return false;
     equations.save();
     const double next = std::min(1.0, weight + increment);
     if (converge(equations, next) && equations.change_from_saved() <= 0.5) {
@@ -49,14 +59,46 @@ bool continue_from_zero(RateEquations& equations) {
   return true;
 }
 
-Outcome solve(RateEquations& equations) {
-  // without beta the equations are linear: one step solves them from anywhere
+// Without beta the equations are linear: one step solves them from anywhere.
+bool solve_linear(RateEquations& equations) {
   double size;
-  if (!equations.factorize(0.0) || !equations.step(0.0, size)) return {Status::no_convergence, kNoIndex};
+  return equations.factorize(0.0) && equations.step(0.0, size);
+}
+
+// Newton's method without continuation; where it fails the rates are what they were.
+bool converge_at_once(RateEquations& equations) {
   equations.save();
-  if (converge(equations, 1.0)) return {};
+  if (converge(equations, 1.0)) return true;
   equations.restore();
-  return {continue_from_zero(equations) ? Status::ok : Status::no_convergence, kNoIndex};
+  return false;
+}
+
+// Part by part, each with some knots on either side, whose rates the next part finds anew. A change of a rate fades by
+// 2 - sqrt(3) = 0.27 from knot to knot of even keys, and by pi/4 at most where steps are half turns (|A_i| <= pi/2, in
+// the equations without beta): a part has its rates but for little, which Newton's method on the whole curve then
+// finds. A few hard keys therefore cost what they cost alone, not that times the length of the curve.
+bool solve_by_parts(RateEquations& equations) {
+  constexpr size_t kPart = 64, kBeside = 32;
+  const size_t count = equations.unknowns();
+  for (size_t first = 0; first < count; first += kPart) {
+    equations.select(first - std::min(first, kBeside), std::min(first + kPart + kBeside, count));
+    if (!solve_linear(equations)) return false;
+    if (!converge_at_once(equations) && !continue_from_zero(equations)) return false;
+  }
+  equations.select_all();
+  return converge(equations, 1.0);
+}
+
+bool solve(RateEquations& equations) {
+  constexpr size_t kShort = 256;
+  if (!solve_linear(equations)) return false;
+  if (converge_at_once(equations)) return true;
+  if (equations.unknowns() > kShort) {
+    if (solve_by_parts(equations)) return true;
+    equations.select_all();
+    if (!solve_linear(equations)) return false;
+  }
+  return continue_from_zero(equations);
 }
 
 }  // namespace
@@ -69,8 +111,9 @@ Outcome solve(RateEquations& equations) {
 // Park, "Cubic spline algorithms for orientation interpolation", IJNME 46 (1999), section 3, the rates solved for
 // exactly). The solution taken is the one continued from beta = 0; on extreme keys it is not the only one.
 //
-// no_convergence where that continuation stalls, a segment turns by more than 2^200 rad, or the equations are not met
-// to 1e-9; rate_too_fast with the key's index where a given end rate alone is past 2^200 rad over its segment.
+// no_convergence where that continuation stalls or takes too many steps, a segment turns by more than 2^200 rad, or the
+// equations are not met to 1e-9; rate_too_fast with the key's index where a given end rate alone is past 2^200 rad over
+// its segment.
 Outcome build_rotation_spline(Construction& construction) {
   const Keyframes& keys = construction.keys;
   RateEquations equations(construction);
@@ -78,8 +121,8 @@ Outcome build_rotation_spline(Construction& construction) {
   if (outcome.status != Status::ok) return outcome;
   // two keys that close a curve are one orientation, and the body is at rest
   const bool at_rest = keys.count == 2 && construction.options.closed();
-  if (!at_rest) outcome = solve(equations);
-  if (outcome.status != Status::ok) return outcome;
+  if (!at_rest && !solve(equations)) return {Status::no_convergence, kNoIndex};
+  construction.iterations = equations.iterations();
   construction.residual = at_rest ? 0.0 : equations.residual();
   constexpr double kLargestResidual = 1e-9;  // rounding leaves 1e-15
   if (construction.residual > kLargestResidual) return {Status::no_convergence, kNoIndex};

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "support/capi_variants.hpp"
+#include "support/smooth_motion.hpp"
 
 using namespace capi;
 
@@ -18,6 +19,31 @@ const int32_t kEnds[] = {QTRAJ_END_ESTIMATED, QTRAJ_END_CHORD, QTRAJ_END_NATURAL
 Keyframes<double> hopeless() {
   test::Random random(3);
   return {{0, 1e-14, 1, 2, 3}, test::random_walk(random, 5, 3.0, 1, 2).q};
+}
+
+// Eight random keys at intervals of 1:1e7, on which continuation takes 1168 steps.
+void add_hard_keys(Keyframes<double>& keys) {
+  test::Random random(140697);
+  double time = keys.times.empty() ? 0.0 : keys.times.back() + 20.0;
+  for (int key = 0; key < 8; ++key) {
+    keys.times.push_back(time);
+    for (const double component : random.orientation()) keys.q.push_back(component);
+    time += std::pow(10.0, random.uniform(0.0, 7.0));
+  }
+}
+
+// A smooth motion from its time `first` on, s.
+void add_smooth_keys(Keyframes<double>& keys, int count, double first = 0.0) {
+  const double start = keys.times.empty() ? 0.0 : keys.times.back() + 20.0;
+  for (int key = 0; key < count; ++key) {
+    const double time = 0.1 * key;
+    keys.times.push_back(start + time);
+    for (const double component : test::smooth_motion(first + time).q) keys.q.push_back(component);
+  }
+}
+
+Trajectory must_build_spline(const Keyframes<double>& keys, int32_t end = QTRAJ_END_ESTIMATED) {
+  return must_build(make_options({"", QTRAJ_ROTATION_SPLINE, end}).get(), keys);
 }
 
 TEST_CASE("C API: ROTATION_SPLINE converges on steps to 179 degrees and its jumps of alpha are rounding",
@@ -110,6 +136,77 @@ TEST_CASE("C API: keys without convergence are NO_CONVERGENCE: no trajectory, no
                      5, &out, nullptr) == QTRAJ_E_NO_CONVERGENCE);
     CHECK(out == nullptr);
   }
+}
+
+// Of the length of the recording, not of its hardest keys: these take 128 knots of a part at a time.
+TEST_CASE("C API: hard keys in a long recording cost what they cost alone and leave the rest as it is",
+          "[capi][rates][rotation_spline]") {
+  Keyframes<double> hard, smooth, all;
+  add_hard_keys(hard);
+  const int32_t alone = qtraj_iterations(must_build_spline(hard).get());
+  REQUIRE(alone > 500);
+  add_smooth_keys(smooth, 4000);
+  const Trajectory ordinary = must_build_spline(smooth);
+  REQUIRE(qtraj_iterations(ordinary.get()) <= 6);
+  add_smooth_keys(all, 4000);
+  add_hard_keys(all);
+  add_smooth_keys(all, 4000);
+
+  const Trajectory curve = must_build_spline(all);
+  CHECK(qtraj_residual(curve.get()) <= 1e-12);
+  // the hard keys may lie in two parts; 20 are the whole curve at once, in vain, and its easy parts
+  CHECK(qtraj_iterations(curve.get()) <= 2 * alone * 128 / 8008 + 20);
+  std::vector<double> times;
+  for (int k = 0; k < 3900 * 4; ++k) times.push_back(0.025 * k);
+  const Motion<double> with = must_sample_rates<double>(curve.get(), QTRAJ_FRAME_BODY, times),
+                       without = must_sample_rates<double>(ordinary.get(), QTRAJ_FRAME_BODY, times);
+  double largest = 0;
+  for (size_t k = 0; k < with.q.size(); ++k) largest = std::max(largest, std::abs(with.q[k] - without.q[k]));
+  for (size_t k = 0; k < with.omega.size(); ++k)
+    largest = std::max(largest, std::abs(with.omega[k] - without.omega[k]));
+  CHECK(largest <= 1e-14);
+}
+
+TEST_CASE("C API: the steps of ROTATION_SPLINE are bounded, at hard keys throughout too",
+          "[capi][rates][rotation_spline]") {
+  for (const int32_t end : {QTRAJ_END_ESTIMATED, QTRAJ_END_NATURAL, QTRAJ_END_PERIODIC})
+    for (const int copies : {1, 30, 60, 500}) {
+      CAPTURE(end, copies);
+      Keyframes<double> keys;
+      for (int copy = 0; copy < copies; ++copy) add_hard_keys(keys);
+      if (end == QTRAJ_END_PERIODIC) std::copy_n(keys.q.begin(), 4, keys.q.end() - 4);
+      const Built built = build(make_options({"", QTRAJ_ROTATION_SPLINE, end}).get(), keys);
+      if (built.status != QTRAJ_OK) {
+        CHECK(built.status == QTRAJ_E_NO_CONVERGENCE);
+        continue;
+      }
+      CHECK(qtraj_residual(built.trajectory.get()) <= 1e-9);
+      CHECK(qtraj_iterations(built.trajectory.get()) <= 512 + (1 << 20) / (8 * copies) + 40);
+    }
+}
+
+// Parts of 64 knots, from 257 knots on. The motion up to the hard keys is the same one, and begins where it may.
+TEST_CASE("C API: a long curve is the same wherever its parts begin", "[capi][rates][rotation_spline]") {
+  std::vector<double> first;
+  for (const int32_t end : {QTRAJ_END_CHORD, QTRAJ_END_PERIODIC})
+    for (const int before : {120, 121, 150, 180, 240, 250}) {
+      CAPTURE(end, before);
+      Keyframes<double> keys;
+      add_smooth_keys(keys, before, -0.1 * before);
+      add_hard_keys(keys);
+      add_smooth_keys(keys, 260);
+      if (end == QTRAJ_END_PERIODIC) std::copy_n(keys.q.begin(), 4, keys.q.end() - 4);
+      const Trajectory curve = must_build_spline(keys, end);
+      CHECK(qtraj_residual(curve.get()) <= 1e-12);
+      std::vector<double> times;
+      const double start = keys.times[static_cast<size_t>(before)];
+      for (int k = 0; k < 200; ++k) times.push_back(start + std::pow(10.0, 0.03 * k));
+      const std::vector<double> q = must_sample<double>(curve.get(), times);
+      if (first.empty()) first = q;
+      double largest = 0;
+      for (size_t k = 0; k < q.size(); ++k) largest = std::max(largest, std::abs(q[k] - first[k]));
+      CHECK(largest <= 1e-6);
+    }
 }
 
 }  // namespace

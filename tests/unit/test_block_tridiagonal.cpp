@@ -80,12 +80,12 @@ TEST_CASE("block systems are solved to rounding, tridiagonal and cyclic", "[bloc
     System system = random_system(random, count);
     CAPTURE(count);
     Solution open(count), closed(count);
-    REQUIRE(qtraj::factorize_tridiagonal(count, system, open.space()));
+    REQUIRE(qtraj::factorize_tridiagonal(0, count, system, open.space()));
     REQUIRE(qtraj::factorize_cyclic(count, system, closed.space()));
     // the factors serve any right side
     for (int k = 0; k < 2; ++k) {
       for (Row& row : system.rows) row.right = Vector3(random.normal(), random.normal(), random.normal());
-      qtraj::solve_tridiagonal(count, system, open.space(), open.taker());
+      qtraj::solve_tridiagonal(0, count, system, open.space(), open.taker());
       CHECK(open.residual(system, false) <= 1e-14);
       qtraj::solve_cyclic(count, system, closed.space(), closed.taker());
       CHECK(closed.residual(system, true) <= 1e-14);
@@ -99,7 +99,7 @@ TEST_CASE("a singular pivot block is told", "[block_tridiagonal][singular]") {
   Solution solution(3);
   REQUIRE(qtraj::factorize_cyclic(3, system, solution.space()));
   system.rows[0].diagonal.row(1) = system.rows[0].diagonal.row(0);
-  CHECK_FALSE(qtraj::factorize_tridiagonal(3, system, solution.space()));
+  CHECK_FALSE(qtraj::factorize_tridiagonal(0, 3, system, solution.space()));
   system = random_system(random, 3);
   system.rows[1].diagonal.setZero();
   CHECK_FALSE(qtraj::factorize_cyclic(3, system, solution.space()));
