@@ -1683,7 +1683,7 @@ QTRAJ_API qtraj_status qtraj_mean_eigen_f32(const float* q, const float* weights
  * @param count           number of samples, 1 or more
  * @param tolerance       rad on S^3, 0 or more: a descent ends after a step of this length; what is less than 4 eps of
  *                        double counts as that
- * @param max_iterations  of each descent, 1 or more
+ * @param max_iterations  of the descent to the mean, 1 or more; descents that only serve the proof have 64 at most
  * @param mean_out        [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
  * @param iterations      receives how many the descent to the mean took; may be NULL
  * @param residual        receives the length of its last step, rad on S^3; may be NULL
@@ -1709,7 +1709,7 @@ QTRAJ_API qtraj_status qtraj_mean_karcher(const double* q, const double* weights
  * @param count           number of samples, 1 or more
  * @param tolerance       rad on S^3, 0 or more: a descent ends after a step of this length; what is less than 4 eps of
  *                        float counts as that
- * @param max_iterations  of each descent, 1 or more
+ * @param max_iterations  of the descent to the mean, 1 or more; descents that only serve the proof have 64 at most
  * @param mean_out        [4], w x y z, unit; may not overlap an input, but where count is 1 may be q
  * @param iterations      receives how many the descent to the mean took; may be NULL
  * @param residual        receives the length of its last step, rad on S^3; may be NULL

@@ -29,10 +29,14 @@ void move(const WeightedOrientations& samples, const Vector3& step, Descent& des
   descent.residual = length(step);
 }
 
-Descent descend(const WeightedOrientations& samples, const Quaternion& start, const KarcherSettings& settings) {
-  const double floor = 4.0 * samples.epsilon(), tolerance = std::max(settings.tolerance, floor);
-  Descent descent = {start, log_moments(samples, start)};
-  while (!descent.converged && descent.iterations < settings.max_iterations) {
+Descent start_from(const WeightedOrientations& samples, const Quaternion& start) {
+  return {start, log_moments(samples, start)};
+}
+
+// Goes on until it converges or has taken so many steps in all.
+void descend(const WeightedOrientations& samples, double tolerance_asked, int32_t most, Descent& descent) {
+  const double floor = 4.0 * samples.epsilon(), tolerance = std::max(tolerance_asked, floor);
+  while (!descent.converged && descent.iterations < most) {
     const Descent before = descent;
     const LogMoments& at = before.at_mean;
     // rounding errors alone move f by this much, because each d is good to about eps
@@ -45,14 +49,18 @@ Descent descend(const WeightedOrientations& samples, const Quaternion& start, co
     ++descent.iterations;
     descent.converged = descent.residual <= tolerance || length(unit_step(at)) <= floor;
   }
-  return descent;
 }
 
-// Descends from another start and keeps the descent with the smaller f.
+// Descends from another start and keeps the descent with the smaller f. Descents end after 3 to 10 steps as a rule. One
+// that creeps, as near a saddle whose curvature vanishes, may go on only where f is already less than the best.
 void try_start(const WeightedOrientations& samples, const Quaternion& start, const KarcherSettings& settings,
                Descent& best) {
-  const Descent descent = descend(samples, unit(start), settings);
-  if (descent.at_mean.squares < best.at_mean.squares) best = descent;
+  constexpr int32_t kTrial = 64;
+  Descent descent = start_from(samples, unit(start));
+  descend(samples, settings.tolerance, std::min(kTrial, settings.max_iterations), descent);
+  if (descent.at_mean.squares >= best.at_mean.squares) return;
+  descend(samples, settings.tolerance, settings.max_iterations, descent);
+  best = descent;
 }
 
 // All starts but the eigen mean: the other eigenvectors e_j, (+-e1 +-e2 +-e3 +-e4)/2, (e_i +- e_j)/sqrt2.
@@ -75,7 +83,8 @@ void try_other_starts(const WeightedOrientations& samples, const Spectrum& spect
 Status find_minimum(const WeightedOrientations& samples, const Spectrum& spectrum, const KarcherSettings& settings,
                     Descent& best) {
   const auto is_proven = [&] { return is_global_minimum(samples, spectrum, best.mean, best.at_mean); };
-  best = descend(samples, unit(spectrum.vectors[0]), settings);
+  best = start_from(samples, unit(spectrum.vectors[0]));
+  descend(samples, settings.tolerance, settings.max_iterations, best);
   if (!best.converged) return Status::no_convergence;
   if (is_proven()) return Status::ok;
   try_other_starts(samples, spectrum, settings, best);
