@@ -87,6 +87,8 @@ Vector3 estimated_end_rate(const Keyframes& keys, Side side, size_t most, double
     const double distance = std::abs(keys.times[key(k)] - keys.times[key(0)]);
     if (gap < kNear * h || distance * (1.0 / kFar) > h) break;
     nodes.at[k] = distance / h;
+    // beside a long gap neighbours can be equally far to rounding: their weights would be infinite
+    if (nodes.at[k] <= nodes.at[k - 1]) break;
     if (!weights_are_small(nodes, k)) break;
     count = k;
   }

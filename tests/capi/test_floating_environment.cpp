@@ -118,6 +118,23 @@ TEST_CASE("C API: constructors raise nothing on good, singular and faulty keyfra
   });
 }
 
+// Pairs of keys with a long gap between them, the second near 0: the third and the fourth key are equally far from the
+// first to rounding, a division by 0 for whoever interpolates its rate.
+TEST_CASE("C API: estimated ends raise nothing where the distances of two keys round to one", "[capi][floating]") {
+  const double early = std::nextafter(-1.0, 0.0), late = std::nextafter(-0.01, 0.0);
+  const std::vector<double> times = {-1, early, -0.01, late, 1}, mirrored = {-1, -late, 0.01, -early, 1};
+  REQUIRE(times[2] - times[0] == times[3] - times[0]);
+  for (const int32_t method : {QTRAJ_SQUAD, QTRAJ_ROTATION_SPLINE})
+    for (const std::vector<double>& knots : {times, mirrored}) {
+      CAPTURE(method, knots[1]);
+      Keyframes<double> keys{knots, {}};
+      for (int key = 0; key < 5; ++key) keys.q.insert(keys.q.end(), {std::cos(0.1 * key), std::sin(0.1 * key), 0, 0});
+      const Options options = make_options({"", method, QTRAJ_END_ESTIMATED});
+      must_build(options.get(), keys);
+      CHECK(disturbance([&] { build(options.get(), keys); }) == kNothing);
+    }
+}
+
 TEST_CASE("C API: constructors raise nothing on faulty times and rates", "[capi][floating]") {
   const std::vector<std::vector<double>> rows = {
       {0, 1, 2, 3, 4, kNaN},
