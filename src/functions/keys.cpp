@@ -23,16 +23,67 @@ class ExactSum {
     parts_[count_++] = number;
   }
 
-  bool is_negative() const {
+  // Its largest part, which has its sign; 0 where the sum is 0.
+  double leading() const {
     for (int k = count_; k-- > 0;)
-      if (parts_[k] != 0) return parts_[k] < 0;
-    return false;
+      if (parts_[k] != 0) return parts_[k];
+    return 0;
   }
 
  private:
   double parts_[Capacity];
   int count_ = 0;
 };
+
+double power_of_two(int exponent) {
+  const uint64_t bits = static_cast<uint64_t>(1023 + exponent) << 52;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+int exponent_of_power(double power) {
+  uint64_t bits;
+  std::memcpy(&bits, &power, sizeof bits);
+  return static_cast<int>(bits >> 52) - 1023;
+}
+
+// The product a b of any two numbers but 0, exactly: value 2^exponent, value below 16 and a multiple of 2^-104.
+struct ExactProduct {
+  DoubleDouble value;
+  int exponent;
+};
+
+ExactProduct exact_product(double a, double b) {
+  const double scale_a = normalizing_scale(a), scale_b = normalizing_scale(b);
+  return {two_product(scale_a * a, scale_b * b), -exponent_of_power(scale_a) - exponent_of_power(scale_b)};
+}
+
+// Whether <a, b> < 0, exactly, for components of any size. Products are summed from the largest exponent down, those
+// together whose exponents are less than 120 apart: a sum that is not 0 is at least 2^-104 of its last unit and
+// decides, as all later products together are below 2^6 2^-120 of that.
+bool has_negative_dot(const Quaternion& a, const Quaternion& b) {
+  ExactProduct products[4];
+  int count = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (a[k] == 0 || b[k] == 0) continue;
+    const ExactProduct product = exact_product(a[k], b[k]);
+    int place = count++;
+    for (; place > 0 && products[place - 1].exponent < product.exponent; --place) products[place] = products[place - 1];
+    products[place] = product;
+  }
+  for (int first = 0, next = 0; first < count; first = next) {
+    ExactSum<8> sum;
+    do {
+      const double unit = power_of_two(products[next].exponent - products[first].exponent);
+      sum.add(unit * products[next].value.error);
+      sum.add(unit * products[next].value.value);
+      ++next;
+    } while (next < count && products[next].exponent > products[next - 1].exponent - 120);
+    if (sum.leading() != 0) return sum.leading() < 0;
+  }
+  return false;
+}
 
 // Rotates each row: moves its first MovedBytes bytes to the end.
 template <size_t MovedBytes, size_t RowBytes>
@@ -57,14 +108,7 @@ bool is_opposed(const Quaternion& a, const Quaternion& b) {
   const Quaternion r = normalizing_scale(largest_component(b)) * b;
   // components are below 4, so that the rounding error of the sum is below 4e-14
   const double rounded = dot(p, r);
-  if (std::abs(rounded) > 1e-13) return rounded < 0;
-  ExactSum<8> sum;
-  for (int k = 0; k < 4; ++k) {
-    const DoubleDouble product = two_product(p[k], r[k]);
-    sum.add(product.error);
-    sum.add(product.value);
-  }
-  return sum.is_negative();
+  return std::abs(rounded) > 1e-13 ? rounded < 0 : has_negative_dot(a, b);
 }
 
 Outcome normalize_keys(const NormalizeRows& rows, size_t count) {

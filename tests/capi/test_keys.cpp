@@ -193,6 +193,42 @@ TEST_CASE("C API: make_continuous goes by the exact sign of dot products at any 
   });
 }
 
+// Products down to 2^-2148 beside larger ones that cancel, or are 0.
+TEST_CASE("C API: make_continuous goes by the exact sign where products underflow", "[capi][keys]") {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min(), kMost = std::numeric_limits<double>::max();
+  const struct {
+    double a[4], b[4];
+    bool negative;
+  } cases[] = {
+      {{0, 0, 3, 0}, {3e125, 8, -6e-266, -2}, true},
+      {{0, 0, 3, 0}, {3e125, 8, 6e-266, -2}, false},
+      {{1, 0, 1e-200, 0}, {0, 1, -1e-200, 0}, true},
+      {{1, 0, kLeast, 0}, {0, 1, -kLeast, 0}, true},
+      {{1, 0, kLeast, 0}, {0, 1, kLeast, 0}, false},
+      {{kMost, kMost, kLeast, 0}, {kMost, -kMost, -kLeast, 1}, true},
+      {{kMost, kMost, kLeast, kLeast}, {kMost, -kMost, -kLeast, kLeast}, false},
+      {{kMost, kMost, kLeast, kLeast}, {kMost, -kMost, -kLeast, 3 * kLeast}, false},
+      {{kMost, kMost, 3 * kLeast, kLeast}, {kMost, -kMost, -kLeast, kLeast}, true},
+      {{kMost, 1, kLeast, 0}, {kLeast, -1, -kMost, 0}, true},
+      {{kMost, 1e-160, kLeast, 0}, {kLeast, -1e-160, -kMost, 0}, true},
+      {{kMost, 1e-160, kLeast, 0}, {kLeast, 1e-160, -kMost, 0}, false},
+  };
+  for (const auto& pair : cases)
+    for (const double sign : {1.0, -1.0})
+      for (const bool swapped : {false, true}) {
+        double q[8];
+        for (int k = 0; k < 4; ++k) {
+          q[k] = swapped ? pair.b[k] : pair.a[k];
+          q[4 + k] = sign * (swapped ? pair.a[k] : pair.b[k]);
+        }
+        size_t flips = 7;
+        CAPTURE(&pair - cases, sign, swapped);
+        REQUIRE(make_continuous(q, 1, 2, q, &flips, nullptr) == QTRAJ_OK);
+        const bool tie = &pair - cases == 6;  // a dot product of 0
+        CHECK(flips == (!tie && pair.negative == (sign > 0) ? 1 : 0));
+      }
+}
+
 TEST_CASE("C API: the first key of each series keeps its sign and what is continuous stays", "[capi][keys]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
