@@ -59,7 +59,8 @@ Outcome WeightedOrientations::first_fault() const {
 
 Quaternion WeightedOrientations::with_sign_of_first(const Quaternion& mean) const {
   for (size_t sample = 0; sample < count; ++sample) {
-    if (weight(sample) == 0) continue;
+    // as given: scaled, a weight above 0 may be 0
+    if (weights.data && number_of(weights, sample) == 0) continue;
     const double cosine = dot(mean, unit(sample));
     if (cosine != 0) return cosine < 0 ? Quaternion(-mean) : mean;
   }

@@ -150,6 +150,15 @@ TEST_CASE("C API: the order of the samples changes a mean by rounding only", "[c
   });
 }
 
+TEST_CASE("C API: a weight of 1e-334 of the largest still gives the mean its sign", "[capi][means]") {
+  const double q[] = {-1, 0, 0, 0, 1, 0.1, 0, 0}, weights[] = {5e-324, 1e10};
+  double eigen[4], karcher[4];
+  REQUIRE(qtraj_mean_eigen(q, weights, 2, eigen, nullptr, nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_mean_karcher(q, weights, 2, 0, 100, karcher, nullptr, nullptr, nullptr) == QTRAJ_OK);
+  CHECK(eigen[0] < 0);
+  CHECK(karcher[0] < 0);
+}
+
 TEST_CASE("C API: a mean has the sign of the first sample that counts", "[capi][means]") {
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
