@@ -40,14 +40,15 @@ class ChunkTimes {
   // Copies the times to the buffer, replaces those that are not finite or outside the knots by the first knot, and pads
   // the last vector. Whether all were inside.
   QTRAJ_NOINLINE bool clamp(double first_knot, double last_knot) {
-    const Time first(first_knot), last(last_knot);
+    // outside the knots: their span is finite, so that they cannot reach both ends of the range
+    const Time first(first_knot), last(last_knot), outside(last_knot < kLargest ? kLargest : -kLargest);
     if (times_ != buffer_) std::memcpy(buffer_, times_, rows_ * sizeof(double));
     for (size_t i = rows_; i < rows_ + kLanes; ++i) buffer_[i] = first_knot;
     times_ = buffer_;
     WideMask<double> all_inside = first <= first;
     for (size_t i = 0; i < rows_; i += kTimeLanes) {
       const Time time = Time::load(buffer_ + i);
-      const Time finite = select(is_not_finite(time), Time(-kLargest), time);
+      const Time finite = select(is_not_finite(time), outside, time);
       const WideMask<double> inside = (first <= finite) & (finite <= last);
       all_inside = all_inside & inside;
       select(inside, finite, first).store(buffer_ + i);

@@ -231,4 +231,28 @@ TEST_CASE("C API: any cursor is a hint and the knots belong to the curve", "[cap
   });
 }
 
+TEST_CASE("C API: a time that is not finite is a fault also where the keys reach an end of the range of double",
+          "[capi][sample][errors]") {
+  constexpr double kMost = std::numeric_limits<double>::max(), kInfinite = std::numeric_limits<double>::infinity();
+  for (const bool at_start : {true, false}) {
+    Keyframes<double> keys = closed_tour<double>(5);
+    at_start ? keys.times.front() = -kMost : keys.times.back() = kMost;
+    for (const int32_t method : {QTRAJ_SLERP, QTRAJ_NLERP, QTRAJ_SQUAD})
+      for (const double fault : {kInfinite, -kInfinite, std::numeric_limits<double>::quiet_NaN()}) {
+        CAPTURE(at_start, method, fault);
+        const Options options = make_options({"", method});
+        REQUIRE(qtraj_options_set_extrapolation(options.get(), QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) ==
+                QTRAJ_OK);
+        const Trajectory curve = must_build(options.get(), keys);
+        std::vector<double> times(40), q(160);
+        for (size_t i = 0; i < times.size(); ++i) times[i] = keys.times[(7 * i) % 5];  // in no order
+        times[17] = fault;
+        size_t bad_index = 0;
+        CHECK(qtraj_sample(curve.get(), times.data(), times.size(), q.data(), &bad_index) == QTRAJ_E_NOT_FINITE);
+        CHECK(bad_index == 17);
+        CHECK(std::isnan(q[4 * 17]));
+      }
+  }
+}
+
 }  // namespace
