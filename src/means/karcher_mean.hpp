@@ -34,9 +34,9 @@ struct KarcherMean {
 // rounding times 1/h.
 //
 // Verdict: from the eigen mean; where the certificate (karcher_certificate.hpp) does not hold there, also from 23 other
-// starts around the eigenvectors, and the least f is judged. Each of these has 64 steps, and goes on only where its f is
-// then less than that of all before: what serves the proof alone does not grow with max_iterations. ok is proven to be the one global minimum; ambiguous, with
-// the best mean found, covers ties and sets so wide that no proof was found.
+// starts around the eigenvectors, and the least f is judged. Each of these has 64 steps, and goes on only where its f
+// is then less than that of all before: what serves the proof alone does not grow with max_iterations. ok is proven to
+// be the one global minimum; ambiguous, with the best mean found, covers ties and sets so wide that no proof was found.
 //
 // Singular: two samples a half turn apart are ambiguous at any weights above 0 (weighted_orientations.hpp), as both
 // ways round are equally long. A descent from the eigen mean, or to the least f, that reaches max_iterations:
