@@ -57,6 +57,18 @@ qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* 
   return QTRAJ_OK;
 }
 
+qtraj_status qtraj_rate_bounds(const qtraj_trajectory* trajectory, double* omega, double* alpha) {
+  if (!trajectory || (!omega && !alpha)) return QTRAJ_E_NULL;
+  Peak of_omega = {}, of_alpha = {};
+  Outcome outcome;
+  if (omega) outcome = peak_omega(trajectory->core, of_omega);
+  if (outcome.status == Status::ok && alpha) outcome = peak_alpha(trajectory->core, of_alpha);
+  if (outcome.status != Status::ok) return to_c(outcome.status);
+  write(of_omega.bound, omega);
+  write(of_alpha.bound, alpha);
+  return QTRAJ_OK;
+}
+
 qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy) {
   return scalar(trajectory, energy, qtraj::energy);
 }

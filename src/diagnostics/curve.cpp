@@ -3,70 +3,12 @@
 #include <cfloat>
 #include <cmath>
 
-#include "diagnostics/curve_pieces.hpp"
 #include "diagnostics/golden_section.hpp"
 #include "math/so3.hpp"
+#include "targets/sampling.hpp"
 
 namespace qtraj {
 namespace {
-
-double shortest_step(const Trajectory& trajectory) {
-  const double* knots = knots_of(trajectory);
-  double shortest = DBL_MAX;
-  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) shortest = std::min(shortest, knots[i + 1] - knots[i]);
-  return shortest;
-}
-
-// The sum over all segments of the integral of (size sqrt(h))^2 or of size h over u.
-Outcome integrate(const Trajectory& trajectory, Quantity quantity, double& result) {
-  const bool squared = quantity == Quantity::alpha;
-  // over very short segments squares may overflow although their integral does not
-  const double scale = shortest_step(trajectory) < 1e-50 ? 0x1p-40 : 1.0;
-  const auto integrand_of = [&](size_t segment) {
-    const SegmentCurve curve = {trajectory, segment, quantity};
-    return Integrand{curve, squared ? scale * std::sqrt(curve.h()) : curve.h(), squared};
-  };
-  double sum = 0;
-  const Outcome outcome =
-      visit_pieces(trajectory, 1e-13, integrand_of, [&](const Integrand&, const Interval&, double integral) {
-        sum += integral;
-        return true;
-      });
-  if (outcome.status != Status::ok) return outcome;
-  if (squared && sum > DBL_MAX * scale * scale) return {Status::not_finite, kNoIndex};
-  result = squared ? sum / (scale * scale) : sum;
-  return {};
-}
-
-// Raises `peak` to the maximum of the curve over a piece.
-bool search_piece(const SegmentCurve& curve, const Interval& piece, Peak& peak) {
-  constexpr int kSamples = 12;
-  double at[kSamples], values[kSamples];
-  for (int k = 0; k < kSamples; ++k) {
-    at[k] = k + 1 < kSamples ? piece.from + piece.width() * k / (kSamples - 1) : piece.to;
-    if (!curve.size(at[k], values[k])) return false;
-    if (values[k] > peak.value) peak = {values[k], curve.time(at[k])};
-  }
-  const auto size = [&](double u, double& result) { return curve.size(u, result); };
-  for (int k = 0; k < kSamples; ++k) {
-    const int before = std::max(k - 1, 0), after = std::min(k + 1, kSamples - 1);
-    const bool is_end = k == 0 || k == kSamples - 1;
-    const bool is_maximum = values[k] >= values[before] && values[k] >= values[after];
-    if ((!is_end && !is_maximum) || values[k] <= 0.25 * peak.value) continue;
-    double best = peak.value, best_at = 0;
-    if (!narrow_maximum({at[before], at[after]}, size, best, best_at)) return false;
-    if (best > peak.value) peak = {best, curve.time(best_at)};
-  }
-  return true;
-}
-
-Outcome find_peak(const Trajectory& trajectory, Quantity quantity, Peak& peak) {
-  peak = {0.0, knots_of(trajectory)[0]};
-  const auto integrand_of = [&](size_t segment) { return Integrand{{trajectory, segment, quantity}, 1.0, false}; };
-  return visit_pieces(trajectory, 1e-6, integrand_of, [&](const Integrand& integrand, const Interval& piece, double) {
-    return search_piece(integrand.curve, piece, peak);
-  });
-}
 
 // The jump of a rate at a knot, right minus left, in a frame; false where it could overflow on the way.
 bool jump(const SegmentMotion& left, const Vector3& left_rate, const SegmentMotion& right, const Vector3& right_rate,
@@ -98,16 +40,6 @@ void fill(double* row, double value) {
 }
 
 }  // namespace
-
-Outcome energy(const Trajectory& trajectory, double& result) { return integrate(trajectory, Quantity::alpha, result); }
-
-Outcome total_angle(const Trajectory& trajectory, double& result) {
-  return integrate(trajectory, Quantity::omega, result);
-}
-
-Outcome peak_omega(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::omega, peak); }
-
-Outcome peak_alpha(const Trajectory& trajectory, Peak& peak) { return find_peak(trajectory, Quantity::alpha, peak); }
 
 Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
   const size_t last = trajectory.key_count - 1;

@@ -10,18 +10,20 @@ namespace qtraj {
 // or, of a closed curve, the jump from its end to its start. not_finite with the knot's index where they overflow.
 Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump);
 
-// Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Adaptive
-// bisection with 12-point Gauss rules, until halving a piece changes its integral by less than 1e-13 of the largest
-// part, or by no more than the rounding error of the integrand: 1e-9 relative. no_convergence where a segment takes
-// more than 1e5 cuts: tens of thousands of turns, or a quaternion quintic whose norm all but vanishes.
+// Integrals over the open segments, impulses at knots not counted: |alpha|^2, rad^2/s^3, and |omega|, rad. Proven to
+// 1e-9 relative, but for rounding errors of alpha below 1e-12 of the largest |omega|/h. no_convergence where that takes
+// more pieces than the call may have (budget.hpp), tens of thousands of turns for instance, or where rounding leaves
+// too few digits: a quaternion quintic whose norm all but vanishes, SQUAD's arcs all but opposite. not_finite where the
+// integral overflows.
 Outcome energy(const Trajectory& trajectory, double& result);
 Outcome total_angle(const Trajectory& trajectory, double& result);
 
-// Largest |omega| and |alpha| and when they are reached. The pieces of the integrals to 1e-6 are sampled at 12 points;
-// every local maximum above a quarter of the largest value so far, and the first and the last interval of each piece,
-// are narrowed by golden sections to 1e-9 of the piece, which leaves the value right to rounding.
+// Largest |omega| and |alpha| and when they are reached: the value of a sample, which the curve is proven to exceed
+// nowhere by more than 1e-10 relative, or by 5e-7 where rounding errors are as large; and a bound above the largest
+// value, within 1e-6 of it. Accelerations below 1e-12 of the largest |omega|/h are rounding errors, and proven to be
+// that. Statuses as above.
 struct Peak {
-  double value, time;
+  double value, bound, time;
 };
 Outcome peak_omega(const Trajectory& trajectory, Peak& peak);
 Outcome peak_alpha(const Trajectory& trajectory, Peak& peak);
