@@ -252,7 +252,8 @@ PieceBounds bounds_of(const NestedArcsSegment& segment, const Piece& piece) {
   bounds.real = nested_arcs_bounds(segment, jet, piece.middle, piece.half_width, false);
   const double z_squared = std::max(0.5 * (1.0 + jet.cosine.value), 0x1p-60);
   const double unit = 4.0 * DBL_EPSILON * (1.0 + 1.0 / z_squared);
-  bounds.rounding = {unit * std::min(bounds.real.omega, 1e50), unit * std::min(bounds.real.alpha, 1e50)};
+  const double omega = std::min(bounds.real.omega, 1e50), alpha = std::min(bounds.real.alpha, 1e50);
+  bounds.rounding = {unit * omega, unit * (1.0 + 0.25 / std::sqrt(z_squared)) * (alpha + omega)};
   if (bounds.real.omega < kNoBound) bounds.real = bounds.real + bounds.rounding;
   for (size_t disc = 0; disc < kDiscCount; ++disc) {
     bounds.disc[disc] = nested_arcs_bounds(segment, jet, piece.middle, disc_radius(disc) * piece.half_width, true);
