@@ -1018,7 +1018,7 @@ QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int
  * Values of the curve, which it is proven to exceed nowhere by more than 1e-10 relative, or by more than the rounding
  * errors of its rates where these are larger, at most 5e-7. An alpha of less than 1e-12 of the largest |omega|/h, h the
  * length of a segment, is rounding and may be any such value. Ordinary segments take some 10 us, a call at most 1e5
- * pieces of a few us and 100 more for each segment.
+ * pieces of a few us and 300 more for each segment.
  *
  * @param trajectory  the curve
  * @param omega_peak  receives the largest |omega|, rad/s; may be NULL

@@ -17,7 +17,7 @@ class Budget {
   }
 
  private:
-  static constexpr size_t kPerCall = 100000, kPerSegment = 100;
+  static constexpr size_t kPerCall = 100000, kPerSegment = 300;
   size_t left_;
 };
 

@@ -62,8 +62,10 @@ Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jum
 
 namespace {
 
+// |P| at s. At the ends P is a key, of norm 1, which large coefficients that cancel would miss.
 template <size_t Degree>
 double norm_at(const NormalizedSegment<Degree>& segment, double s) {
+  if (s <= -1.0 || s >= 1.0) return 1.0;
   Quaternion p = load(segment.c[Degree]);
   for (size_t term = Degree; term-- > 0;) p = s * p + load(segment.c[term]);
   return length(p);
@@ -75,7 +77,7 @@ LeastNorm least_norm_of(const Trajectory& trajectory) {
   const auto* segments = segments_of<NormalizedSegment<Degree>>(trajectory);
   // |p|^2 has at most `Degree` minima in a segment; samples this close tell them apart
   constexpr int kIntervals = 32;
-  LeastNorm least = {norm_at(segments[0], -1.0), knots[0]};
+  LeastNorm least = {1.0, knots[0]};
   for (size_t i = 0; i + 1 < trajectory.key_count; ++i) {
     const auto position = [](int k) { return -1.0 + 2.0 * k / kIntervals; };
     const auto negated = [&](double s, double& value) {

@@ -29,7 +29,7 @@ class Integration {
     double total = 0, integral;
     for (size_t i = 0; i < segments(); ++i) {
       enter(i);
-      if (!over(kWhole, integral)) return {Status::no_convergence, i};
+      if (size_of_rates(trajectory_, i) >= kNoBound || !over(kWhole, integral)) return {Status::no_convergence, i};
       total += integral;
       if (!is_angle() && !raise_noise()) return {Status::no_convergence, i};
     }
@@ -57,19 +57,15 @@ class Integration {
     weight_ = unit_.weight(segment);
   }
 
-  // The length of a rate at s, in the common unit.
-  bool size_at(double s, bool of_omega, double& size) const {
-    RatesInSegment rates;
-    if (!rates_in_segment(trajectory_, segment_, s, !of_omega, rates)) return false;
-    const Vector3& rate = of_omega ? rates.omega : rates.alpha;
-    size = length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
-    return true;
+  // Lengths in the common unit.
+  double weighted_length(const Vector3& rate) const {
+    return length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
   }
   bool raise_noise() {
     for (const double s : {-1.0, 0.0, 1.0}) {
-      double size;
-      if (!size_at(s, true, size)) return false;
-      noise_ = std::max(noise_, kNoise * size);
+      RatesInSegment rates;
+      if (!rates_in_segment(trajectory_, segment_, s, false, rates)) return false;
+      noise_ = std::max(noise_, kNoise * weighted_length(rates.omega));
     }
     return true;
   }
@@ -77,8 +73,11 @@ class Integration {
   // The integral over a piece by Gauss's rule.
   bool over(const Piece& piece, double& integral) const {
     const auto sample = [&](double x, double& value) {
-      if (!size_at(piece.middle + x * piece.half_width, is_angle(), value)) return false;
-      if (!is_angle()) value *= value;
+      RatesInSegment rates;
+      if (!rates_in_segment(trajectory_, segment_, piece.middle + x * piece.half_width, !is_angle(), rates))
+        return false;
+      const double size = weighted_length(is_angle() ? rates.omega : rates.alpha);
+      value = is_angle() ? size : size * size;
       return true;
     };
     if (!gauss(sample, integral)) return false;
@@ -144,14 +143,16 @@ class Integration {
 
   // False where a sample has no digits.
   bool integrate_piece(const Piece& piece, const PieceBounds& bounds, bool& is_done) {
-    double omega = 0, alpha, integral;
-    if (!size_at(piece.middle, false, alpha) || (is_angle() && !size_at(piece.middle, true, omega))) return false;
+    RatesInSegment rates;
+    if (!rates_in_segment(trajectory_, segment_, piece.middle, true, rates)) return false;
+    const double omega = weighted_length(rates.omega), alpha = weighted_length(rates.alpha);
     const PieceError found = is_angle() ? error_of_lengths(piece, bounds, omega, alpha) : error_of_squares(bounds);
     const double error = piece.half_width * found.error;
     const double floor = found.is_cusp ? std::max(kOfCusp * allowed_, kOfSegment * allowed_ * piece.half_width)
                                        : std::max(kOfSegment * allowed_, noise_ * noise_) * piece.half_width;
     const double value = is_angle() ? omega : alpha * alpha;
     if (error > std::max(floor, 10.0 * kOfPiece * value * piece.half_width)) return true;
+    double integral;
     if (!over(piece, integral)) return false;
     if (error > std::max(floor, kOfPiece * integral)) return true;
     is_done = true;

@@ -17,7 +17,7 @@ namespace {
 // How far the curve may exceed the peak, relative, for the search to end.
 constexpr double kTolerance = 1e-10;
 // And where rounding errors of the samples, kRoundings of them, are larger: up to here.
-constexpr double kLargestTolerance = 5e-7, kRoundings = 8.0;
+constexpr double kLargestTolerance = 5e-7, kRoundings = 12.0;
 // Accelerations are rounding noise below this part of the largest |omega|/h.
 constexpr double kNoise = 1e-12;
 
@@ -65,6 +65,7 @@ class PeakSearch {
   // A few samples, so that most pieces of the other segments need none.
   bool begin_segment(size_t segment) {
     enter(segment);
+    if (size_of_rates(trajectory_, segment) >= kNoBound) return false;
     for (const double s : {-1.0, 0.0, 1.0}) {
       double size;
       if (!sample(s, 1.0, size)) return false;

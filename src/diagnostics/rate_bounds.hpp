@@ -19,7 +19,7 @@ struct RateBounds {
 constexpr double kNoBound = 1e150;
 
 // Ellipses with foci at the ends of the piece, by the sum of their half axes in half widths, and the discs around them.
-constexpr double kEllipses[] = {2.5, 4.0, 6.0, 10.0, 20.0, 50.0};
+constexpr double kEllipses[] = {3.0, 4.0, 6.0, 10.0, 20.0, 50.0};
 constexpr size_t kDiscCount = sizeof kEllipses / sizeof kEllipses[0];
 constexpr double disc_radius(size_t disc) { return 0.5 * (kEllipses[disc] + 1.0 / kEllipses[disc]); }
 
@@ -31,6 +31,7 @@ struct PieceBounds {
 PieceBounds piece_bounds(const Trajectory& trajectory, size_t segment, const Piece& piece);
 
 // The size of a segment's rates: 0 only where it is at rest, and not below |omega| by more than a norm makes it.
+// kNoBound or more where coefficients are so large that samples have no digits.
 double size_of_rates(const Trajectory& trajectory, size_t segment);
 
 }  // namespace qtraj
