@@ -1016,7 +1016,7 @@ QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int
 /** Greatest lengths of omega and alpha, and when they are reached; only what is asked for is computed.
  *
  * Values of the curve, which it is proven to exceed nowhere by more than 1e-10 relative, or by more than the rounding
- * errors of its rates where these are larger, at most 5e-7. An alpha of less than 1e-12 of the largest |omega|/h, h the
+ * errors of its rates where these are larger, at most 1e-6. An alpha of less than 1e-12 of the largest |omega|/h, h the
  * length of a segment, is rounding and may be any such value. Ordinary segments take some 10 us, a call at most 1e5
  * pieces of a few us and 300 more for each segment.
  *

@@ -19,7 +19,7 @@ Outcome energy(const Trajectory& trajectory, double& result);
 Outcome total_angle(const Trajectory& trajectory, double& result);
 
 // Largest |omega| and |alpha| and when they are reached: the value of a sample, which the curve is proven to exceed
-// nowhere by more than 1e-10 relative, or by 5e-7 where rounding errors are as large; and a bound above the largest
+// nowhere by more than 1e-10 relative, or by 1e-6 where rounding errors are as large; and a bound above the largest
 // value, within 1e-6 of it. Accelerations below 1e-12 of the largest |omega|/h are rounding errors, and proven to be
 // that. Statuses as above.
 struct Peak {

@@ -16,8 +16,9 @@ namespace {
 
 // How far the curve may exceed the peak, relative, for the search to end.
 constexpr double kTolerance = 1e-10;
-// And where rounding errors of the samples, kRoundings of them, are larger: up to here.
-constexpr double kLargestTolerance = 5e-7, kRoundings = 12.0;
+// Samples are off by at most kRoundings units of PieceBounds::rounding, a polynomial through them by a few more. Where
+// that is more than the tolerance, it takes the place of it, up to here; bounds then exceed the peak by twice as much.
+constexpr double kLargestTolerance = 4.5e-7, kRoundings = 12.0;
 // Accelerations are rounding noise below this part of the largest |omega|/h.
 constexpr double kNoise = 1e-12;
 
