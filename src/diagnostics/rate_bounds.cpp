@@ -149,8 +149,10 @@ PieceBounds bounds_of(const RotationVectorSegment<Degree>& segment, const Piece&
                                least_square > 0 ? 2.0 * std::sqrt(least_square) : 0.0});
   };
   PieceBounds bounds;
-  const double unit = 4.0 * DBL_EPSILON * (1.0 + sums.value);
-  bounds.rounding = {unit * 2.0 * sums.first, unit * (2.0 * sums.second + 4.0 * sums.first * sums.first)};
+  const PolynomialBounds local = polynomial_bounds(p.size, piece.half_width);
+  const double unit = 4.0 * DBL_EPSILON, first = 2.0 * local.first, second = 2.0 * local.second;
+  bounds.rounding = {unit * (2.0 * sums.first + sums.value * first),
+                     unit * (2.0 * sums.second + 2.0 * sums.first * first + sums.value * (second + first * first))};
   bounds.real = over(piece.half_width, false) + bounds.rounding;
   for (size_t disc = 0; disc < kDiscCount; ++disc)
     bounds.disc[disc] = over(disc_radius(disc) * piece.half_width, true) + bounds.rounding;
