@@ -31,18 +31,11 @@ int twice_power(Quantity quantity) {
   return 0;
 }
 
-// A product of numbers of any size, its exponent kept apart.
-class Product {
+// A quotient of numbers of any size, its exponent kept apart.
+class Quotient {
  public:
-  explicit Product(double value) { mantissa_ = std::frexp(value, &exponent_); }
-  Product& operator*=(double factor) {
-    int exponent, shift;
-    const double mantissa = std::frexp(factor, &exponent);
-    mantissa_ = std::frexp(mantissa_ * mantissa, &shift);
-    exponent_ += exponent + shift;
-    return *this;
-  }
-  Product& operator/=(double divisor) {
+  explicit Quotient(double value) { mantissa_ = std::frexp(value, &exponent_); }
+  Quotient& operator/=(double divisor) {
     int exponent, shift;
     const double mantissa = std::frexp(divisor, &exponent);
     mantissa_ = std::frexp(mantissa_ / mantissa, &shift);
@@ -94,11 +87,11 @@ CommonUnit::Weight CommonUnit::weight(size_t segment) const {
 }
 
 bool CommonUnit::in_seconds(double value, bool squared, double& result) const {
-  Product product(value);
+  Quotient quotient(value);
   const int times = squared ? 2 : 1;
-  for (int k = 0; k < times; ++k) product /= unit_;
-  for (int k = 0; k < times * twice_power(quantity_) / 2; ++k) product /= 0.5 * duration_;
-  return product.value(result);
+  for (int k = 0; k < times; ++k) quotient /= unit_;
+  for (int k = 0; k < times * twice_power(quantity_) / 2; ++k) quotient /= 0.5 * duration_;
+  return quotient.value(result);
 }
 
 }  // namespace qtraj

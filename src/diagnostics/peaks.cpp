@@ -53,12 +53,16 @@ class PeakSearch {
     weight_ = unit_.weight(segment);
   }
 
-  // The size at s, in the common unit, which raises the best so far; `reach` is the half width of the piece it is of.
+  // In the common unit.
+  double weighted_length(const Vector3& rate) const {
+    return length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
+  }
+
+  // The size at s, which raises the best so far; `reach` is the half width of the piece it is of.
   bool sample(double s, double reach, double& size) {
     RatesInSegment rates;
     if (!rates_in_segment(trajectory_, segment_, s, !is_omega(), rates)) return false;
-    const Vector3& rate = is_omega() ? rates.omega : rates.alpha;
-    size = length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
+    size = weighted_length(is_omega() ? rates.omega : rates.alpha);
     if (size > best_) best_ = size, best_segment_ = segment_, best_at_ = s, reach_ = reach;
     return true;
   }
@@ -70,11 +74,9 @@ class PeakSearch {
     for (const double s : {-1.0, 0.0, 1.0}) {
       double size;
       if (!sample(s, 1.0, size)) return false;
-      if (is_omega()) continue;
       RatesInSegment rates;
-      rates_in_segment(trajectory_, segment_, s, false, rates);
-      noise_ = std::max(
-          noise_, kNoise * length(Vector3(weight_(rates.omega[0]), weight_(rates.omega[1]), weight_(rates.omega[2]))));
+      if (is_omega() || !rates_in_segment(trajectory_, segment_, s, false, rates)) continue;
+      noise_ = std::max(noise_, kNoise * weighted_length(rates.omega));
     }
     return true;
   }
@@ -107,7 +109,7 @@ class PeakSearch {
   // The same where samples are off by `rounding`, and that is not too much.
   bool is_below(double bound, double rounding) {
     if (is_below(bound)) return true;
-    if (rounding > std::max(kLargestTolerance * best_, noise_)) return false;
+    if (rounding > std::max(kLargestTolerance * best_, 0.5 * noise_)) return false;
     if (bound > best_ * (1.0 + kTolerance) + 2.0 * rounding) return false;
     excess_ = std::max(excess_, bound - best_);
     return true;

@@ -32,6 +32,13 @@ double exponential_bound(double x) {
   return result;
 }
 
+// The length of a vector, or a bound of it where its squares would underflow.
+template <class Vector>
+double length_bound(const Vector& a) {
+  const double largest = largest_component(a);
+  return largest > 0x1p-400 ? length(a) : 2.0 * largest;
+}
+
 // ---- Polynomials with vector coefficients ----
 
 // The polynomial about another point: its coefficients there, in the parameter s - middle.
@@ -46,7 +53,7 @@ struct ShiftedPolynomial {
     for (size_t last = 0; last + 1 < Terms; ++last)
       for (size_t term = Terms - 1; term-- > last;)
         for (size_t k = 0; k < Size; ++k) c[term][k] += middle * c[term + 1][k];
-    for (size_t term = 0; term < Terms; ++term) size[term] = length(load(c[term]));
+    for (size_t term = 0; term < Terms; ++term) size[term] = length_bound(load(c[term]));
   }
 };
 
@@ -214,7 +221,7 @@ NestedArcsJet nested_arcs_jet(const NestedArcsSegment& segment, double s) {
                                              segment.relative[2][k], segment.relative[3][k]);
     value[k] = v.value, first[k] = v.first, second[k] = v.second;
   }
-  jet.relative[0] = length(value), jet.relative[1] = length(first), jet.relative[2] = length(second);
+  jet.relative[0] = length_bound(value), jet.relative[1] = length_bound(first), jet.relative[2] = length_bound(second);
   return jet;
 }
 

@@ -310,6 +310,26 @@ TEST_CASE("C API: a quintic's least norm is at most that of its keys, 1, however
   }
 }
 
+TEST_CASE("C API: peaks and length of steps whose squares vanish are their closed forms",
+          "[capi][diagnostics][extremes]") {
+  for (const double angle : {1e-100, 1e-170, 1e-250, 1e-290}) {
+    CAPTURE(angle);
+    const Keyframes<double> keys = {{0, 2}, {1, 0, 0, 0, 1, 0, 0.5 * angle, 0}};
+    const Variant variant = {"", QTRAJ_ROTATION_QUINTIC};
+    const Trajectory curve = must_build(make_options(variant).get(), keys, rates_for<double>(variant, 2, 0.0));
+    double omega = 0, alpha = 0, omega_bound = 0, alpha_bound = 0, length = 0;
+    REQUIRE(qtraj_curve_peak_rates(curve.get(), &omega, nullptr, &alpha, nullptr) == QTRAJ_OK);
+    REQUIRE(qtraj_rate_bounds(curve.get(), &omega_bound, &alpha_bound) == QTRAJ_OK);
+    REQUIRE(qtraj_curve_total_angle(curve.get(), &length) == QTRAJ_OK);
+    const double expected_omega = 15.0 / 16.0 * angle, expected_alpha = 2.5 / std::sqrt(3.0) * angle;
+    CHECK(std::abs(omega - expected_omega) <= 1e-9 * expected_omega);
+    CHECK(std::abs(alpha - expected_alpha) <= 1e-9 * expected_alpha);
+    CHECK((omega_bound >= expected_omega && omega_bound <= expected_omega * (1 + 1e-6)));
+    CHECK((alpha_bound >= expected_alpha && alpha_bound <= expected_alpha * (1 + 1e-6)));
+    CHECK(std::abs(length - angle) <= 1e-9 * angle);
+  }
+}
+
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 TEST_CASE("C API: what a diagnostic costs is bounded by a number of samples, whatever the keys",
