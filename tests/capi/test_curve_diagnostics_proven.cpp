@@ -140,7 +140,7 @@ TEST_CASE("C API: no dense sample exceeds the peaks or their bounds, whatever ke
   for (const Steps& steps : all_steps)
     for (const Variant& variant : variants()) {
       if (variant.end == QTRAJ_END_PERIODIC) continue;
-      for (int round = 0; round < 3; ++round) {
+      for (int round = 0; round < 2; ++round) {
         CAPTURE(variant.name, steps.name, round);
         const Keyframes<double> keys = keys_with(steps, 6, random);
         const double rate = 3.0 / steps.ratio;
@@ -192,14 +192,14 @@ TEST_CASE("C API: SQUAD between keys half a turn apart says NO_CONVERGENCE rathe
   // arcs that come within 1e-8 of opposite points: |omega| reaches some 1e7 rad/s for about 1e-8 s
   test::Random random(107);
   size_t unproven = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
     const Keyframes<double> keys = keys_with({"", 1e-8, 6}, 5, random);
     const Trajectory curve = must_build(make_options({"", QTRAJ_SQUAD}).get(), keys);
     unproven += check_peaks(curve.get(), keys.times) ? 0 : 1;
   }
   CHECK(unproven > 0);
-  CHECK(unproven < 60);
+  CHECK(unproven < 40);
 }
 
 // ---- Integrals ----
@@ -276,6 +276,7 @@ TEST_CASE("C API: bounds that overflow are NOT_FINITE, and rates past all digits
   const Variant variant = {"", QTRAJ_HERMITE};
   for (const double gap : {1e-154, 1e-80, 1.0, 1e300})
     for (const double turning : {0.0, 1e9, 1e40, 1e140}) {
+      if (turning == 1e9 && gap != 1.0) continue;  // takes all the pieces of a call
       CAPTURE(gap, turning);
       const Keyframes<double> keys = {{0, gap}, {1, 0, 0, 0, 1, 1, 1, 1}};
       Rates<double> rates = rates_for<double>(variant, 2, 0.0);
