@@ -12,10 +12,9 @@
 namespace qtraj {
 namespace {
 
-constexpr size_t kChunk = 512;
-
-// kLanes: the lanes of a vector of samples, whose times fill one vector of doubles or two.
-template <size_t kLanes>
+// kLanes: the lanes of a vector of samples, whose times fill one vector of doubles or two. kChunk: the most times in a
+// chunk.
+template <size_t kLanes, size_t kChunk>
 class ChunkTimes {
  public:
   ChunkTimes(const TimeReader& source, size_t count) : source_(source), count_(count) {}

@@ -16,39 +16,28 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   using SegmentOf = NestedArcsSegmentOf<Value>;
 
   static constexpr int kWork = 3;
-  template <class Real>
-  static constexpr bool kOwnLoopWithRates = true;
-  template <bool kWithRates>
-  static constexpr bool kInTwoSteps = true;
+  static constexpr size_t kChunk = 128, kSearched = 32;
 
+  // Points on both arcs; not set with rates, whose formulas need more of the arcs than their points.
   template <class Number>
   struct Partial {
-    ArcPair<Number> arcs;  // not set without rates
     PointPair<Number> points;
   };
 
   template <class Mode, class Number>
   QTRAJ_INLINE void start(const SegmentOf<Number>& segment, Number s, Partial<Number>& partial) const {
-    ArcPair<Number> arcs;
+    if constexpr (Mode::kWithRates) return;
     const auto near = is_near(segment);
-    if (Mode::kOneSegment && all(near)) {
-      points_on_arcs<Arithmetic, true>(segment, s, arcs, partial.points);
-    } else if (Mode::kOneSegment) {
-      points_on_arcs<Arithmetic, false>(segment, s, arcs, partial.points);
-    } else {
-      ArcPair<Number> general_arcs;
-      PointPair<Number> general;
-      clear(arcs, partial.points), clear(general_arcs, general);
-      if (any(near)) points_on_arcs<Arithmetic, true>(segment, s, arcs, partial.points);
-      if (!all(near)) {
-        points_on_arcs<Arithmetic, false>(segment, s, general_arcs, general);
-        choose(near, general_arcs, arcs);
-        choose(near, general.p, partial.points.p);
-        choose(near, general.c, partial.points.c);
-        partial.points.closeness = select(near, partial.points.closeness, general.closeness);
-      }
-    }
-    if constexpr (Mode::kWithRates) set(arcs, partial.arcs);
+    if (Mode::kOneSegment && all(near)) return points_on_arcs<Arithmetic, true>(segment, s, partial.points);
+    if (Mode::kOneSegment) return points_on_arcs<Arithmetic, false>(segment, s, partial.points);
+    PointPair<Number> general;
+    clear(partial.points), clear(general);
+    if (any(near)) points_on_arcs<Arithmetic, true>(segment, s, partial.points);
+    if (all(near)) return;
+    points_on_arcs<Arithmetic, false>(segment, s, general);
+    choose(near, general.p, partial.points.p);
+    choose(near, general.c, partial.points.c);
+    partial.points.closeness = select(near, partial.points.closeness, general.closeness);
   }
 
   template <class Mode, class Number>
@@ -66,19 +55,19 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   }
 
   template <class Mode, class Number>
-  QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number s, const Partial<Number>& partial,
-                                 bool wants_alpha, Number (&q)[4], Rates<Number>& rates) const {
-    finish<Mode>(segment, s, partial, q);
-    const ArcPair<Number>& arcs = partial.arcs;
+  QTRAJ_INLINE void finish_rates(const SegmentOf<Number>& segment, Number s, const Partial<Number>&, bool wants_alpha,
+                                 Number (&q)[4], Rates<Number>& rates) const {
     const auto near = is_near(segment);
-    if (Mode::kOneSegment && all(near))
-      return nested_arcs_rates<Arithmetic, true>(segment, arcs, s, wants_alpha, rates);
-    if (Mode::kOneSegment) return nested_arcs_rates<Arithmetic, false>(segment, arcs, s, wants_alpha, rates);
+    if (Mode::kOneSegment && all(near)) return nested_arcs_motion<Arithmetic, true>(segment, s, wants_alpha, q, rates);
+    if (Mode::kOneSegment) return nested_arcs_motion<Arithmetic, false>(segment, s, wants_alpha, q, rates);
+    Number general_q[4];
     Rates<Number> general;
-    clear(rates.omega), clear(rates.alpha), clear(general.omega), clear(general.alpha);
-    if (any(near)) nested_arcs_rates<Arithmetic, true>(segment, arcs, s, wants_alpha, rates);
+    clear(q), clear(rates.omega), clear(rates.alpha);
+    if (any(near)) nested_arcs_motion<Arithmetic, true>(segment, s, wants_alpha, q, rates);
     if (all(near)) return;
-    nested_arcs_rates<Arithmetic, false>(segment, arcs, s, wants_alpha, general);
+    clear(general.alpha);
+    nested_arcs_motion<Arithmetic, false>(segment, s, wants_alpha, general_q, general);
+    choose(near, general_q, q);
     choose(near, general.omega, rates.omega);
     choose(near, general.alpha, rates.alpha);
   }
@@ -93,27 +82,14 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
     for (Number& value : values) value = Number(Element<Number>(0));
   }
   template <class Number>
-  QTRAJ_INLINE static void clear(ArcPair<Number>& arcs, PointPair<Number>& points) {
-    const Number zero(Element<Number>(0));
+  QTRAJ_INLINE static void clear(PointPair<Number>& points) {
     clear(points.p), clear(points.c);
-    points.closeness = arcs.keys.c = arcs.keys.s = arcs.controls.c = arcs.controls.s = zero;
+    points.closeness = Number(Element<Number>(0));
   }
   // `values` keep the lanes whose segments are near and get the general ones in all others.
   template <class Mask, class Number, size_t Size>
   QTRAJ_INLINE static void choose(Mask near, const Number (&general)[Size], Number (&values)[Size]) {
     for (size_t k = 0; k < Size; ++k) values[k] = select(near, values[k], general[k]);
-  }
-  template <class Mask, class Number>
-  QTRAJ_INLINE static void choose(Mask near, const ArcPair<Number>& general, ArcPair<Number>& arcs) {
-    arcs.keys.c = select(near, arcs.keys.c, general.keys.c);
-    arcs.keys.s = select(near, arcs.keys.s, general.keys.s);
-    arcs.controls.c = select(near, arcs.controls.c, general.controls.c);
-    arcs.controls.s = select(near, arcs.controls.s, general.controls.s);
-  }
-  template <class Number>
-  QTRAJ_INLINE static void set(const ArcPair<Number>& from, ArcPair<Number>& to) {
-    to.keys.c = from.keys.c, to.keys.s = from.keys.s;
-    to.controls.c = from.controls.c, to.controls.s = from.controls.s;
   }
 };
 

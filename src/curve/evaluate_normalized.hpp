@@ -20,6 +20,7 @@ struct NormalizedEvaluator : EvaluatorDefaults {
   template <class Value>
   using SegmentOf = NormalizedSegment<Degree, Value>;
   static constexpr int kWork = Degree == 1 ? 1 : 2;
+  static constexpr size_t kSearched = Degree == 1 ? 128 : 64;
   static constexpr bool kSmallRates = false;  // the polynomial may come close to 0
 
   template <class Number>

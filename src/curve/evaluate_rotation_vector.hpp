@@ -16,6 +16,7 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
 
   template <class Real>
   static constexpr bool kOwnLoopWithRates = Degree == 3 && sizeof(Real) == sizeof(double);
+  static constexpr size_t kSearched = Degree == 3 ? 128 : 64;
 
   explicit RotationVectorEvaluator(ExponentRange range) : doublings_(static_cast<int>(range)) {}
 
@@ -68,6 +69,7 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   template <class Real>
   static constexpr bool kOwnLoopWithRates = Degree == 3 && sizeof(Real) == sizeof(double);
   static constexpr int kWork = 3;
+  static constexpr size_t kSearched = 64;
   static constexpr bool kSmallRates = false;
 
   template <class Number>

@@ -39,6 +39,10 @@ struct EvaluatorDefaults {
   template <bool kWithRates>
   static constexpr bool kInTwoSteps = !kWithRates;
 
+  // How many times a batch takes at once, and how many of them, where they are scattered, it looks up at once: many, so
+  // that gathers overlap. Both cost stack, which segments of many fields need themselves.
+  static constexpr size_t kChunk = 256, kSearched = 256;
+
   // Cost of a sample without rates, from 1 for the cheapest kind. In vectors of two lanes, cheap samples gain less from
   // vectors than it costs to gather a segment per lane.
   static constexpr int kWork = 2;

@@ -100,9 +100,8 @@ struct PointPair {
   Number p[4], c[4], closeness;
 };
 template <class Arithmetic, bool kNear, class Number>
-QTRAJ_INLINE void points_on_arcs(const NestedArcsSegmentOf<Number>& segment, Number s, ArcPair<Number>& arcs,
-                                 PointPair<Number>& points) {
-  arc_pair<Arithmetic, kNear>(segment, s, arcs);
+QTRAJ_INLINE void points_at(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                            PointPair<Number>& points) {
   combine<Arithmetic>(segment.keys.m, arcs.keys.c, segment.keys.e, arcs.keys.s, points.p);
   combine<Arithmetic>(segment.controls.m, arcs.controls.c, segment.controls.e, arcs.controls.s, points.c);
   if constexpr (kNear) {
@@ -110,6 +109,12 @@ QTRAJ_INLINE void points_on_arcs(const NestedArcsSegmentOf<Number>& segment, Num
   } else {
     points.closeness = half_sum_squared<Arithmetic>(points.p, points.c);
   }
+}
+template <class Arithmetic, bool kNear, class Number>
+QTRAJ_INLINE void points_on_arcs(const NestedArcsSegmentOf<Number>& segment, Number s, PointPair<Number>& points) {
+  ArcPair<Number> arcs;
+  arc_pair<Arithmetic, kNear>(segment, s, arcs);
+  points_at<Arithmetic, kNear>(segment, arcs, points);
 }
 template <class Arithmetic, bool kNear, class Number>
 QTRAJ_INLINE void between_points(const PointPair<Number>& points, Number s, Number (&q)[4]) {

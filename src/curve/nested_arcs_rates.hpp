@@ -70,10 +70,11 @@ QTRAJ_INLINE Jet<Number> angle_over_sine(Number d) {
           select(is_near, near.second, far.second)};
 }
 
-// p = f H v, the half-angle vector from P to q, with its derivatives in s; f = (1 - s^2)/2.
-template <class Arithmetic, bool kNear, class Number>
-QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
-                               HalfAngleJet<Number>& jet) {
+// p = f H v, the half-angle vector from P to q, with its derivatives in s; f = (1 - s^2)/2. The second one is set where
+// alpha is wanted.
+template <class Arithmetic, bool kNear, bool kWantsAlpha, class Number>
+QTRAJ_NOINLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                                 const Number& s, HalfAngleJet<Number>& jet) {
   using Real = Element<Number>;
   const Number half = Number(Real(0.5)), two = Number(Real(2));
   const auto& m = segment.keys.m;
@@ -93,7 +94,7 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
                                                   segment.relative[2][k], segment.relative[3][k]);
     jet.p[k] = fh.value * v.value;
     jet.dp[k] = fh.first * v.value + fh.value * v.first;
-    jet.ddp[k] = fh.second * v.value + two * fh.first * v.first + fh.value * v.second;
+    if constexpr (kWantsAlpha) jet.ddp[k] = fh.second * v.value + two * fh.first * v.first + fh.value * v.second;
   }
 }
 
@@ -101,12 +102,14 @@ QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const
 // rate of P, seen in the frame after exp p. v is a sum of four constant vectors times products of the arcs' sines and
 // cosines; differentiating the weights of slerp instead would cancel on short arcs.
 template <class Arithmetic, bool kNear, class Number>
-QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, Number s,
-                                    bool wants_alpha, Rates<Number>& rates) {
+QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                                    const Number& s, bool wants_alpha, Rates<Number>& rates) {
   HalfAngleJet<Number> jet;
-  exponent_jet<Arithmetic, kNear>(segment, arcs, s, jet);
-  Rates<Number> inner;
-  exponential_rates<Arithmetic>(jet, wants_alpha, inner);
+  if (wants_alpha)
+    exponent_jet<Arithmetic, kNear, true>(segment, arcs, s, jet);
+  else
+    exponent_jet<Arithmetic, kNear, false>(segment, arcs, s, jet);
+  exponential_rates<Arithmetic>(jet, wants_alpha, rates);
 
   // the outer arc's rate in the frame after exp p: rotated by exp(-p)
   Number carried[3];
@@ -116,11 +119,31 @@ QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, 
   cos_sinc<Arithmetic>(dot_product<Arithmetic>(jet.p, jet.p), 0, f);
   const Number inverse[4] = {f.c, -f.k * jet.p[0], -f.k * jet.p[1], -f.k * jet.p[2]};
   rotate_to_world<Arithmetic>(inverse, carried);
-  for (size_t k = 0; k < 3; ++k) rates.omega[k] = carried[k] + inner.omega[k];
-  if (!wants_alpha) return;
-  Number turning[3];
-  cross_product<Arithmetic>(inner.omega, carried, turning);
-  for (size_t k = 0; k < 3; ++k) rates.alpha[k] = inner.alpha[k] - turning[k];
+  if (wants_alpha) {
+    Number turning[3];
+    cross_product<Arithmetic>(rates.omega, carried, turning);
+    for (size_t k = 0; k < 3; ++k) rates.alpha[k] = rates.alpha[k] - turning[k];
+  }
+  for (size_t k = 0; k < 3; ++k) rates.omega[k] = carried[k] + rates.omega[k];
+}
+
+// The orientation at cosines and sines of both arcs.
+template <class Arithmetic, bool kNear, class Number>
+QTRAJ_NOINLINE void nested_arcs_orientation(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                                            const Number& s, Number (&q)[4]) {
+  PointPair<Number> points;
+  points_at<Arithmetic, kNear>(segment, arcs, points);
+  between_points<Arithmetic, kNear>(points, s, q);
+}
+
+// Orientation and rates. In pieces that are not inlined: together they would need ten times the stack.
+template <class Arithmetic, bool kNear, class Number>
+QTRAJ_NOINLINE void nested_arcs_motion(const NestedArcsSegmentOf<Number>& segment, const Number& s, bool wants_alpha,
+                                       Number (&q)[4], Rates<Number>& rates) {
+  ArcPair<Number> arcs;
+  arc_pair<Arithmetic, kNear>(segment, s, arcs);
+  nested_arcs_orientation<Arithmetic, kNear>(segment, arcs, s, q);
+  nested_arcs_rates<Arithmetic, kNear>(segment, arcs, s, wants_alpha, rates);
 }
 
 }  // namespace

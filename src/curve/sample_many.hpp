@@ -75,6 +75,7 @@ class Batch {
   using Number = Wide<Real>;
   using Partial = typename Evaluator::template Partial<Number>;
   using Time = Wide<double>;
+  static constexpr size_t kChunk = Evaluator::kChunk, kSearched = Evaluator::kSearched;
   static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;
   using RunMode = SampleMode<kWithRates, true>;
   using ScatteredMode = SampleMode<kWithRates, false>;
@@ -114,14 +115,14 @@ class Batch {
   }
 
   // Samples the times from `begin` to `end`, all in one segment.
-  void sample_run(size_t segment, size_t begin, size_t end) {
+  QTRAJ_NOINLINE void sample_run(size_t segment, size_t begin, size_t end) {
     const Segment& record = segments_[segment];
     WideSegment wide;
     Doubles<Real> scales;
     broadcast(record, wide, scales);
     const Time knot(index_.knots[segment]), offset(Evaluator::offset(record));
     if constexpr (kWithRates && !Evaluator::template kOwnLoopWithRates<Real>) {
-      sample_with_rates(begin, end, wide, scales, &knot, offset);
+      sample_with_rates(begin, end, wide, scales, nullptr, knot, offset);
     } else {
       const auto start_at = [&](size_t i, Partial& partial) {
         const Number x = position(i, end, knot, scales.part[0], offset);
@@ -164,30 +165,34 @@ class Batch {
   // ---- Other times: a segment for each lane ----
 
   QTRAJ_NOINLINE void sample_scattered(size_t rows) {
-    find_segments(index_, times_.from(0), rows + kLanes - kTimeLanes, found_);
-    mark_gaps(rows);
+    int64_t found[kSearched + kLanes];  // segments of the times
     WideSegment wide;
     Doubles<Real> scales;
-    if constexpr (kWithRates) {
-      sample_with_rates(0, rows, wide, scales, nullptr, Time(1.0));
-    } else {
-      for (size_t i = 0; i < rows; i += kLanes) {
+    for (size_t begin = 0; begin < rows; begin += kSearched) {
+      const size_t end = rows - begin < kSearched ? rows : begin + kSearched;
+      find_segments(index_, times_.from(begin), end - begin + kLanes - kTimeLanes, found);
+      mark_gaps(begin, end, found);
+      if constexpr (kWithRates) {
+        sample_with_rates(begin, end, wide, scales, found, Time(0.0), Time(1.0));
+        continue;
+      }
+      for (size_t i = begin; i < end; i += kLanes) {
         Doubles<Real> x;
-        load_segments(i, wide, scales, x);
+        load_segments(found + (i - begin), i, wide, scales, x);
         times_.prefetch(i);
         Partial partial;
         evaluator_.template start<ScatteredMode>(wide, x.rounded(), partial);
-        finish<ScatteredMode>(wide, x.rounded(), partial, scales, i, rows);
+        finish<ScatteredMode>(wide, x.rounded(), partial, scales, i, end);
       }
     }
   }
 
   // One loop for scattered times and, unless the evaluator has kOwnLoopWithRates, for runs: with rates the evaluation
-  // takes most of the time and of the library's code. With a `knot` it samples a run, whose segment is already
-  // broadcast and starts there, without one a segment per lane.
+  // takes most of the time and of the library's code. With segments `found` it loads one for each lane, without them it
+  // samples a run, whose segment is already broadcast and starts at the knot.
   QTRAJ_NOINLINE void sample_with_rates(size_t begin, size_t end, WideSegment& wide, Doubles<Real>& scales,
-                                        const Time* knot, Time offset) {
-    const size_t at_once = knot ? kInterleaved : 1;
+                                        const int64_t* found, Time knot, Time offset) {
+    const size_t at_once = found ? 1 : kInterleaved;
     for (size_t group = begin; group < end; group += at_once * kLanes) {
       const size_t left = (end - group + kLanes - 1) / kLanes, vectors = left < at_once ? left : at_once;
       Number x[kInterleaved];
@@ -195,11 +200,11 @@ class Batch {
       for (size_t k = 0; k < vectors; ++k) {
         const size_t i = group + k * kLanes;
         Doubles<Real> of_segments;
-        if (knot) {
-          x[k] = position(i, end, *knot, scales.part[0], offset);
-        } else {
-          load_segments(i, wide, scales, of_segments);
+        if (found) {
+          load_segments(found + (i - begin), i, wide, scales, of_segments);
           x[k] = of_segments.rounded();
+        } else {
+          x[k] = position(i, end, knot, scales.part[0], offset);
         }
         times_.prefetch(i);
         evaluator_.template start<ScatteredMode>(wide, x[k], partial[k]);
@@ -210,25 +215,55 @@ class Batch {
   }
 
   // Loads the segments found for a vector of times, and the parameters x of the times in them.
-  QTRAJ_INLINE void load_segments(size_t i, WideSegment& wide, Doubles<Real>& scales, Doubles<Real>& x) const {
-    if constexpr (std::is_same_v<Real, double>) {
-      static_assert(sizeof(WideSegment) == kFields * sizeof(Time));
-      load_fields(i, reinterpret_cast<Time(&)[kFields]>(wide), scales.part[0], x.part[0]);
+  QTRAJ_INLINE void load_segments(const int64_t* found, size_t i, WideSegment& wide, Doubles<Real>& scales,
+                                  Doubles<Real>& x) const {
+    static_assert(sizeof(WideSegment) == kFields * sizeof(Number));
+    constexpr size_t kParts = Doubles<Real>::kParts;
+    auto& fields = reinterpret_cast<Number(&)[kFields]>(wide);
+    const double* records[kParts][kTimeLanes];
+    for (size_t part = 0; part < kParts; ++part)
+      for (size_t lane = 0; lane < kTimeLanes; ++lane)
+        records[part][lane] = reinterpret_cast<const double*>(segments_ + found[part * kTimeLanes + lane]);
+    Doubles<Real> offsets;
+    if constexpr (kParts == 1) {
+      load_records(records[0], fields);
+      scales.part[0] = fields[0];
+      offsets.part[0] = fields[1];
+    } else if constexpr (kFields <= kFewFields) {
+      Time low[kFields], high[kFields];
+      load_records(records[0], low);
+      load_records(records[1], high);
+      for (size_t k = 1; k < kFields; ++k) fields[k] = Doubles<Real>{{low[k], high[k]}}.rounded();
+      scales = {{low[0], high[0]}}, offsets = {{low[1], high[1]}};
+      fields[0] = Number(Real(0));
     } else {
-      Time fields[Doubles<Real>::kParts][kFields];
-      for (size_t part = 0; part < Doubles<Real>::kParts; ++part)
-        load_fields(i + part * kTimeLanes, fields[part], scales.part[part], x.part[part]);
-      read_segment<Number>([&](size_t k) { return Doubles<Real>{{fields[0][k], fields[1][k]}}.rounded(); }, wide);
+      load_two_parts(records, fields, scales, offsets);
+    }
+    for (size_t part = 0; part < kParts; ++part) {
+      const size_t at = part * kTimeLanes;
+      const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found + at));
+      x.part[part] = parameter<Arithmetic>(Time::load(times_.from(i + at)) - knot, scales.part[part],
+                                           Evaluator::kHasOffset ? offsets.part[part] : Time(1.0));
     }
   }
-  QTRAJ_INLINE void load_fields(size_t at, Time (&fields)[kFields], Time& scale, Time& x) const {
-    const double* records[kTimeLanes];
-    for (size_t lane = 0; lane < kTimeLanes; ++lane)
-      records[lane] = reinterpret_cast<const double*>(segments_ + found_[at + lane]);
-    load_records(records, fields);
-    scale = fields[0];
-    const Time knot = gather(index_.knots, hn::LoadU(IndexTag(), found_ + at));
-    x = parameter<Arithmetic>(Time::load(times_.from(at)) - knot, scale, Evaluator::kHasOffset ? fields[1] : Time(1.0));
+  // Up to so many fields of two vectors of double wait on the stack for each other, which is faster.
+  static constexpr size_t kFewFields = 17;
+  // Fields of two vectors of double as one vector of float; few at a time, so that they do not wait on the stack for
+  // each other. The first two are returned in double as well, and the first, the scale of time, is 0 in float, whose
+  // range it may be past.
+  QTRAJ_INLINE static void load_two_parts(const double* const (&records)[2][kTimeLanes], Number (&fields)[kFields],
+                                          Doubles<Real>& first, Doubles<Real>& second) {
+    for (size_t next = 0; next < kFields; next += kTransposed) {
+      // the last group may overlap the one before, so that nothing past a record is read
+      const size_t from = next + kTransposed <= kFields ? next : kFields - kTransposed;
+      Time low[kTransposed], high[kTransposed];
+      load_transposed(records[0], from, low);
+      load_transposed(records[1], from, high);
+      for (size_t k = 0; k < kTransposed; ++k) fields[from + k] = Doubles<Real>{{low[k], high[k]}}.rounded();
+      if (next > 0) continue;
+      first = {{low[0], high[0]}}, second = {{low[1], high[1]}};
+      fields[0] = Number(Real(0));
+    }
   }
 
   // Finishes and writes a vector of samples, of which those before `end` count. Rows past `end` may be written too: the
@@ -240,11 +275,10 @@ class Batch {
     const size_t left = count_ - row;
     WideRow<Real> wide;
     if constexpr (kWithRates) {
-      Rates<Number> rates;
-      evaluator_.template finish_rates<Mode>(segment, x, partial, request_.alpha, wide.q, rates);
-      if (!finish_rates<Arithmetic, Evaluator::kSmallRates>(wide.q, rates, scales, request_, wide)) mark_again(i, rows);
-      if (outputs_.omega) write_wide(wide.omega, outputs_.omega, row, rows, left);
-      if (outputs_.alpha) write_wide(wide.alpha, outputs_.alpha, row, rows, left);
+      evaluator_.template finish_rates<Mode>(segment, x, partial, request_.alpha, wide.q, wide.rates);
+      if (!finish_rates<Arithmetic, Evaluator::kSmallRates>(scales, request_, wide)) mark_again(i, rows);
+      if (outputs_.omega) write_wide(wide.rates.omega, outputs_.omega, row, rows, left);
+      if (outputs_.alpha) write_wide(wide.rates.alpha, outputs_.alpha, row, rows, left);
       if (outputs_.q) write_wide(wide.q, outputs_.q, row, rows, left);
     } else {
       evaluator_.template finish<Mode>(segment, x, partial, wide.q);
@@ -254,10 +288,10 @@ class Batch {
 
   // ---- Rows done again ----
 
-  void mark_gaps(size_t rows) {
+  void mark_gaps(size_t begin, size_t end, const int64_t* found) {
     if (trajectory_.longest_gap == __builtin_inf()) return;
-    for (size_t i = 0; i < rows; ++i)
-      if (is_gap(trajectory_, index_.knots, static_cast<size_t>(found_[i]))) mark_again(i, 1);
+    for (size_t i = begin; i < end; ++i)
+      if (is_gap(trajectory_, index_.knots, static_cast<size_t>(found[i - begin]))) mark_again(i, 1);
   }
 
   QTRAJ_NOINLINE void mark_again(size_t i, size_t rows) {
@@ -289,7 +323,7 @@ class Batch {
   const KnotIndex index_;
   const Segment* segments_;
   const TimeReader& source_;
-  ChunkTimes<kLanes> times_;
+  ChunkTimes<kLanes, kChunk> times_;
   const size_t count_;
   const SampleOutputs<Real>& outputs_;
 
@@ -297,7 +331,6 @@ class Batch {
   size_t first_row_ = 0;
   bool has_marks_ = false;  // some row inside the knots is marked to be done again
   bool marked_[kChunk];
-  int64_t found_[kChunk + kLanes];  // segments of the times
 };
 
 template <class Arithmetic, class Real, SampleFunction<Real> kSample, SampleAtFunction<Real> kSampleAt>

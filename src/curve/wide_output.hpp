@@ -11,7 +11,8 @@ namespace {
 
 template <class Real>
 struct WideRow {
-  Wide<Real> q[4], omega[3], alpha[3];
+  Wide<Real> q[4];
+  Rates<Wide<Real>> rates;
 };
 
 template <class Real>
@@ -47,8 +48,7 @@ QTRAJ_INLINE bool limit_lanes(double limit, Wide<double> (&numbers)[Size]) {
 constexpr double kSafeRate = 0x1p300;
 
 template <bool kSmallRates, class Real>
-QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>& scale, int times,
-                              Wide<Real> (&scaled)[3]) {
+QTRAJ_INLINE bool scale_rates(const Doubles<Real>& scale, int times, Wide<Real> (&rates)[3]) {
   Doubles<Real> values[3] = {Doubles<Real>::of(rates[0]), Doubles<Real>::of(rates[1]), Doubles<Real>::of(rates[2])};
   bool safe = true;
   for (size_t part = 0; part < Doubles<Real>::kParts; ++part) {
@@ -61,20 +61,19 @@ QTRAJ_INLINE bool scale_rates(const Wide<Real> (&rates)[3], const Doubles<Real>&
     if (sizeof(Real) < sizeof(double)) safe = limit_lanes(largest_of<Real>(), products) && safe;
     for (size_t k = 0; k < 3; ++k) values[k].part[part] = products[k];
   }
-  for (size_t k = 0; k < 3; ++k) scaled[k] = values[k].rounded();
+  for (size_t k = 0; k < 3; ++k) rates[k] = values[k].rounded();
   return safe;
 }
 
-// Converts body rates to rates in time and in the frame asked for; false where a lane must be done again.
+// Converts body rates per unit of x to rates in time and in the frame asked for; false where a lane must be done again.
 template <class Arithmetic, bool kSmallRates, class Real>
-QTRAJ_INLINE bool finish_rates(const Wide<Real> (&q)[4], Rates<Wide<Real>>& rates, const Doubles<Real>& scale,
-                               const RateRequest& request, WideRow<Real>& row) {
+QTRAJ_INLINE bool finish_rates(const Doubles<Real>& scale, const RateRequest& request, WideRow<Real>& row) {
   if (request.frame == Frame::world) {
-    rotate_to_world<Arithmetic>(q, rates.omega);
-    if (request.alpha) rotate_to_world<Arithmetic>(q, rates.alpha);
+    rotate_to_world<Arithmetic>(row.q, row.rates.omega);
+    if (request.alpha) rotate_to_world<Arithmetic>(row.q, row.rates.alpha);
   }
-  const bool omega_is_safe = !request.omega || scale_rates<kSmallRates>(rates.omega, scale, 1, row.omega);
-  const bool alpha_is_safe = !request.alpha || scale_rates<kSmallRates>(rates.alpha, scale, 2, row.alpha);
+  const bool omega_is_safe = !request.omega || scale_rates<kSmallRates>(scale, 1, row.rates.omega);
+  const bool alpha_is_safe = !request.alpha || scale_rates<kSmallRates>(scale, 2, row.rates.alpha);
   return omega_is_safe && alpha_is_safe;
 }
 

@@ -78,16 +78,25 @@ constexpr const auto& coefficients(Polynomial) {
 // c0 + c1 x + ... by Estrin's scheme: neighbouring terms are joined in pairs, these again with x^2, x^4, ... It takes
 // as many multiply-adds as Horner's scheme, but its dependency chain grows with the logarithm of the number of terms.
 template <class Arithmetic, class Number, size_t Terms>
-QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
-  if constexpr (Terms == 1) {
-    return c[0];
+QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x);
+// Not a loop, in which compilers keep the joined terms on the stack.
+template <class Arithmetic, class Number, size_t Terms, size_t... Pair>
+QTRAJ_INLINE Number join_pairs(const Number (&c)[Terms], Number x, std::index_sequence<Pair...>) {
+  const auto pair = [&](size_t k) { return Arithmetic::multiply_add(c[2 * k + 1], x, c[2 * k]); };
+  if constexpr (Terms % 2 == 0) {
+    const Number joined[] = {pair(Pair)...};
+    return estrin<Arithmetic>(joined, x * x);
   } else {
-    constexpr size_t kPairs = Terms / 2;
-    Number joined[Terms - kPairs];
-    for (size_t k = 0; k < kPairs; ++k) joined[k] = Arithmetic::multiply_add(c[2 * k + 1], x, c[2 * k]);
-    if constexpr (Terms % 2 != 0) joined[kPairs] = c[Terms - 1];
+    const Number joined[] = {pair(Pair)..., c[Terms - 1]};
     return estrin<Arithmetic>(joined, x * x);
   }
+}
+template <class Arithmetic, class Number, size_t Terms>
+QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
+  if constexpr (Terms == 1)
+    return c[0];
+  else
+    return join_pairs<Arithmetic>(c, x, std::make_index_sequence<Terms / 2>());
 }
 
 // c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last, so that it is rounded once.

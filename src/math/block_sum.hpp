@@ -18,6 +18,7 @@ constexpr size_t kSumLanes = 8, kBlockRows = 128;
 template <size_t Size>
 struct BlockSum {
   double totals[Size][kSumLanes] = {}, errors[Size][kSumLanes] = {};
+  double open[Size][kSumLanes] = {};  // of the block whose rows are being added, all 0 between blocks
 
   double value(size_t term) const {
     double total = totals[term][0], error = errors[term][0];

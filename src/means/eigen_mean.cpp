@@ -61,15 +61,14 @@ double Spectrum::eigengap() const {
   return std::min((values[0] - std::max(values[1], 0.0)) / sum_of_weights, 1.0);
 }
 
-void OrientationScatter::close_block() {
-  const SampleRows rows = block_.padded();
-  kScatterKernels[target()]({rows, &sum_}, 0, rows.q.rows);
-  block_.clear();
-}
+void OrientationScatter::add_part(const SampleRows& rows) { kScatterKernels[target()]({rows, &sum_}, 0, rows.q.rows); }
 
 void OrientationScatter::add(const Quaternion& q, double weight) {
+  if (block_.is_complete())
+    add_part(block_.last_part());
+  else if (block_.is_full())
+    add_part(block_.next_part());
   block_.add(q, weight);
-  if (block_.is_full()) close_block();
 }
 
 bool OrientationScatter::add(const WeightedOrientations& samples) {
@@ -79,7 +78,7 @@ bool OrientationScatter::add(const WeightedOrientations& samples) {
 }
 
 Spectrum OrientationScatter::spectrum() {
-  close_block();
+  add_part(block_.last_part());
   Matrix4 scatter;
   size_t at = 0;
   for (int row = 0; row < 4; ++row)

@@ -39,7 +39,7 @@ class OrientationScatter {
   Status top_eigenvector(double epsilon, Quaternion& mean);
 
  private:
-  void close_block();
+  void add_part(const SampleRows& rows);
 
   BlockSum<10> sum_;   // upper triangle, row by row
   SampleBlock block_;  // samples not yet in the sum

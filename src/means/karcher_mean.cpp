@@ -92,17 +92,25 @@ Status find_minimum(const WeightedOrientations& samples, const Spectrum& spectru
   return is_proven() ? Status::ok : Status::ambiguous;
 }
 
+// Not inlined: the scatter's sums and samples leave the stack before the descents need it.
+__attribute__((noinline)) Outcome spectrum_of(WeightedOrientations& samples, Spectrum& spectrum) {
+  OrientationScatter scatter;
+  const Outcome outcome = scatter_of(samples, scatter);
+  if (outcome.status == Status::ok) spectrum = scatter.spectrum();
+  return outcome;
+}
+
 }  // namespace
 
 bool KarcherSettings::is_valid() const { return is_finite(tolerance) && tolerance >= 0 && max_iterations >= 1; }
 
 KarcherMean mean_karcher(WeightedOrientations samples, const KarcherSettings& settings) {
   KarcherMean mean;
-  OrientationScatter scatter;
-  mean.outcome = scatter_of(samples, scatter);
+  Spectrum spectrum;
+  mean.outcome = spectrum_of(samples, spectrum);
   if (mean.outcome.status != Status::ok) return mean;
   Descent best;
-  mean.outcome.status = find_minimum(samples, scatter.spectrum(), settings, best);
+  mean.outcome.status = find_minimum(samples, spectrum, settings, best);
   mean.q = samples.with_sign_of_first(best.mean);
   mean.iterations = best.iterations;
   mean.residual = best.residual;

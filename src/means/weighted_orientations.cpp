@@ -21,13 +21,21 @@ void SampleBlock::add(const Quaternion& q, double weight) {
   weights_[count_++] = weight;
 }
 
-SampleRows SampleBlock::padded() {
+SampleRows SampleBlock::next_part() {
+  const SampleRows part = {input<4>(q_[0], count_), input<1>(weights_, count_), 1.0, true, true};
+  rows_before_ += count_;
+  count_ = 0;
+  return part;
+}
+
+SampleRows SampleBlock::last_part() {
   size_t rows = count_;
   for (; rows % kSumLanes != 0; ++rows) {
     std::copy_n(q_[0], 4, q_[rows]);
     weights_[rows] = 0;
   }
-  return {input<4>(q_[0], rows), input<1>(weights_, rows), 1.0, true};
+  rows_before_ = count_ = 0;
+  return {input<4>(q_[0], rows), input<1>(weights_, rows), 1.0, true, false};
 }
 
 bool WeightedOrientations::scale_weights() {

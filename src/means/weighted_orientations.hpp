@@ -10,22 +10,29 @@ namespace qtraj {
 // q / |q| for finite q != 0 of any magnitude, each component within 2 eps of its size.
 Quaternion unit(const Quaternion& q);
 
-// A block of samples copied one by one: for sums over samples that kernels cannot read from the caller's arrays.
+// Samples copied one by one, a part of a block at a time: for sums over samples that kernels cannot read from the
+// caller's arrays.
 class SampleBlock {
  public:
-  bool is_full() const { return count_ == kBlockRows; }
+  // Whether the block has all its rows.
+  bool is_complete() const { return rows_before_ + count_ == kBlockRows; }
+  // Whether the part has to be added to the sum before the next sample comes.
+  bool is_full() const { return count_ == kRows; }
 
   // Adds a sample: finite q != 0 of any magnitude, weight above 0.
   void add(const Quaternion& q, double weight);
 
-  // The samples as arrays whose rows fill the lanes of a sum; the padding rows have weight 0.
-  SampleRows padded();
-
-  void clear() { count_ = 0; }
+  // The part as arrays, and the next one begins.
+  SampleRows next_part();
+  // The last part, whose rows fill the lanes of a sum: the padding rows have weight 0. The next block begins.
+  SampleRows last_part();
 
  private:
-  double q_[kBlockRows][4], weights_[kBlockRows];  // left uninitialised: only rows that were written are read
-  size_t count_ = 0;
+  static constexpr size_t kRows = 16;
+  static_assert(kBlockRows % kRows == 0 && kRows % kSumLanes == 0);
+
+  double q_[kRows][4], weights_[kRows];  // left uninitialised: only rows that were written are read
+  size_t count_ = 0, rows_before_ = 0;   // rows of this part, and of the block's parts before it
 };
 
 struct WeightedOrientations {
@@ -58,20 +65,25 @@ struct WeightedOrientations {
   // k-th sample of weight above 0 goes to the same lane and block, so that sums are the same bits.
   template <class Add>
   bool sum(const Add& add) const {
-    const SampleRows rows = {q, weights, weight_scale, false};
+    const SampleRows rows = {q, weights, weight_scale, false, false};
     size_t sample = 0;
     for (;;) {
       sample += add(rows, sample, count);
       if (sample == count) return true;
       SampleBlock block;
-      while (sample < count && !block.is_full())
+      while (sample < count && !block.is_complete()) {
+        if (block.is_full()) add_all(add, block.next_part());
         if (!take(sample++, block)) return false;
-      const SampleRows padded = block.padded();
-      add(padded, size_t{0}, padded.q.rows);
+      }
+      add_all(add, block.last_part());
     }
   }
 
  private:
+  template <class Add>
+  static void add_all(const Add& add, const SampleRows& rows) {
+    add(rows, size_t{0}, rows.q.rows);
+  }
   // Adds a sample, if it counts, to a block; false where it is at fault.
   bool take(size_t sample, SampleBlock& block) const;
 };

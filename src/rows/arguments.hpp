@@ -70,6 +70,7 @@ struct SampleRows {
   Input<1> weights;     // data null: all 1
   double weight_scale;  // a power of two
   bool is_padded;       // rows of weight 0 are padding of the last lanes
+  bool stays_open;      // the block of a sum that these rows begin goes on with those of the next call
 };
 
 // The largest of the weights up to one that is not finite or negative: `largest` is raised to it.

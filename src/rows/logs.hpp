@@ -8,16 +8,17 @@
 namespace qtraj {
 namespace {
 
-// A tile is the rows of one block of a sum. Three short loops go over it, and this is what each leaves for the next. A
-// log is one long dependency chain, and the out-of-order window is too small to overlap it with those of other rows;
-// short loops are bound by throughput instead of latency.
+// A tile is a part of the rows of one block of a sum. Three short loops go over it, and this is what each leaves for
+// the next. A log is one long dependency chain, and the out-of-order window is too small to overlap it with those of
+// other rows; short loops are bound by throughput instead of latency.
+constexpr size_t kTileRows = 32;
 struct LogTile {
   // Of the first loop.
-  double vector[3][kBlockRows], sine_squared[kBlockRows], inverse[kBlockRows];  // of RelativeOf
-  double versine[kBlockRows], weight[kBlockRows];
+  double vector[3][kTileRows], sine_squared[kTileRows], inverse[kTileRows];  // of RelativeOf
+  double versine[kTileRows], weight[kTileRows];
   // Of the second loop.
-  double factor[kBlockRows];     // times the vector it is the log
-  double curvature[kBlockRows];  // (1 - d cot d) / sine_squared
+  double factor[kTileRows];     // times the vector it is the log
+  double curvature[kTileRows];  // (1 - d cot d) / sine_squared
 };
 
 // Prefetch alternates between two loops over a tile, each prefetching every other vector of rows: memory is then busy
@@ -64,7 +65,7 @@ QTRAJ_INLINE void find_log_factors(const SampleRows& samples, size_t first, size
 // The third loop adds the terms w, w d^2, w r and w (1 - d cot d) u u^T, u = r/d.
 template <class Arithmetic, bool kWeighted, class Vector>
 QTRAJ_INLINE void add_log_terms(const LogTile& tile, size_t row, Vector (&sum)[11], Vector& largest_square) {
-  const auto load = [&](const double(&numbers)[kBlockRows]) { return load_lanes(&numbers[row], Vector()); };
+  const auto load = [&](const double(&numbers)[kTileRows]) { return load_lanes(&numbers[row], Vector()); };
   const Vector weight = kWeighted ? load(tile.weight) : Vector(1.0), factor = load(tile.factor);
   const Vector x = load(tile.vector[0]), y = load(tile.vector[1]), z = load(tile.vector[2]);
 
@@ -80,14 +81,19 @@ template <class Arithmetic, class Real, bool kWeighted, class Vector>
 QTRAJ_INLINE bool add_log_block(const SampleRows& samples, size_t first, size_t rows, const double* base,
                                 LogSums& sums) {
   LogTile tile;
-  if (!relate_tile<Arithmetic, Real, kWeighted, Vector>(samples, first, rows, base, tile)) return false;
-  find_log_factors<Arithmetic, Real, Vector>(samples, first, rows, tile);
   Vector largest_square(sums.largest_square);
   const auto add_terms = [&](size_t row, Vector(&sum)[11]) {
     add_log_terms<Arithmetic, kWeighted>(tile, row, sum, largest_square);
     return true;
   };
-  add_block<Vector>(rows, add_terms, sums.sums);
+  for (size_t done = 0; done < rows; done += kTileRows) {
+    const size_t in_tile = rows - done < kTileRows ? rows - done : kTileRows;
+    if (!relate_tile<Arithmetic, Real, kWeighted, Vector>(samples, first + done, in_tile, base, tile))
+      return discard_block(sums.sums);
+    find_log_factors<Arithmetic, Real, Vector>(samples, first + done, in_tile, tile);
+    add_rows<Vector>(in_tile, add_terms, sums.sums);
+  }
+  if (!samples.stays_open) close_block<Vector>(sums.sums);
   sums.largest_square = largest_lane(largest_square);
   return true;
 }

@@ -73,7 +73,9 @@ QTRAJ_INLINE bool add_scatter_block(const SampleRows& samples, size_t first, siz
     prefetch_samples<Real, kLanesOf<Vector>>(samples, first + row);
     return load_samples<Real, kWeighted>(samples, first + row, q, weight) && add_scatter_terms(q, weight, sum);
   };
-  return add_block<Vector>(rows, add_terms, sums);
+  if (!add_rows<Vector>(rows, add_terms, sums)) return discard_block(sums);
+  if (!samples.stays_open) close_block<Vector>(sums);
+  return true;
 }
 
 // Adds the blocks of samples from `first` on, each by add_block(row, rows, real, is_weighted): `real` has the type of

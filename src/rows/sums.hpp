@@ -7,16 +7,24 @@
 namespace qtraj {
 namespace {
 
-// Adds a block's sums, lane by lane, to the totals, and the rounding errors of that to the errors.
+// Adds the open block's sums, lane by lane, to the totals, and the rounding errors of that to the errors.
 template <class Vector, size_t Size>
-QTRAJ_INLINE void close_block(const double (&block)[Size][kSumLanes], BlockSum<Size>& sums) {
+QTRAJ_INLINE void close_block(BlockSum<Size>& sums) {
   for (size_t k = 0; k < Size; ++k)
     for (size_t lane = 0; lane < kSumLanes; lane += kLanesOf<Vector>) {
-      double *total = &sums.totals[k][lane], *error = &sums.errors[k][lane];
-      const DoubleDoubleOf<Vector> sum = two_sum(load_lanes(total, Vector()), load_lanes(&block[k][lane], Vector()));
+      double *total = &sums.totals[k][lane], *error = &sums.errors[k][lane], *open = &sums.open[k][lane];
+      const DoubleDoubleOf<Vector> sum = two_sum(load_lanes(total, Vector()), load_lanes(open, Vector()));
       store_lanes(sum.value, total);
       store_lanes(load_lanes(error, Vector()) + sum.error, error);
+      store_lanes(Vector(0.0), open);
     }
+}
+// Leaves the sums as they were before the block.
+template <size_t Size>
+QTRAJ_INLINE bool discard_block(BlockSum<Size>& sums) {
+  for (auto& lanes : sums.open)
+    for (double& lane : lanes) lane = 0;
+  return false;
 }
 
 // Adds left[k] right[k] to each sum. Callers list the factors: an array of vectors that nested loops index would be
@@ -26,20 +34,18 @@ QTRAJ_INLINE void add_products(const Vector (&left)[Size], const Vector (&right)
   for (size_t k = 0; k < Size; ++k) sum[k] = Arithmetic::multiply_add(left[k], right[k], sum[k]);
 }
 
-// Adds one block of `rows` rows, a multiple of kSumLanes up to kBlockRows. add_terms(row, sum) adds the terms of one
-// row per lane of a Vector from that row on. Where it is false, so is the result, and `sums` stay as they were.
+// Adds `rows` rows, a multiple of kSumLanes, to the open block. add_terms(row, sum) adds the terms of one row per lane
+// of a Vector from that row on. False where it is false: the block is then to be discarded.
 template <class Vector, size_t Size, class AddTerms>
-QTRAJ_INLINE bool add_block(size_t rows, const AddTerms& add_terms, BlockSum<Size>& sums) {
+QTRAJ_INLINE bool add_rows(size_t rows, const AddTerms& add_terms, BlockSum<Size>& sums) {
   static_assert(kSumLanes % kLanesOf<Vector> == 0, "lanes of a sum in whole vectors");
-  double block[Size][kSumLanes];
   for (size_t lane = 0; lane < kSumLanes; lane += kLanesOf<Vector>) {
     Vector sum[Size];
-    for (Vector& term : sum) term = Vector(0.0);
+    for (size_t k = 0; k < Size; ++k) sum[k] = load_lanes(&sums.open[k][lane], Vector());
     for (size_t row = lane; row < rows; row += kSumLanes)
       if (!add_terms(row, sum)) return false;
-    for (size_t k = 0; k < Size; ++k) store_lanes(sum[k], &block[k][lane]);
+    for (size_t k = 0; k < Size; ++k) store_lanes(sum[k], &sums.open[k][lane]);
   }
-  close_block<Vector>(block, sums);
   return true;
 }
 

@@ -7,6 +7,13 @@
 
 namespace {
 
+template <class AddTerms>
+bool add_block(size_t rows, const AddTerms& add_terms, qtraj::BlockSum<1>& sum) {
+  if (!qtraj::add_rows<double>(rows, add_terms, sum)) return qtraj::discard_block(sum);
+  qtraj::close_block<double>(sum);
+  return true;
+}
+
 // Rows that fill no lanes are followed by zeros.
 double sum_of(std::vector<double> terms) {
   while (terms.size() % qtraj::kSumLanes != 0) terms.push_back(0.0);
@@ -16,7 +23,7 @@ double sum_of(std::vector<double> terms) {
       to[0] += terms[first + row];
       return true;
     };
-    return qtraj::add_block<double>(rows, add_term, sum);
+    return add_block(rows, add_term, sum);
   });
   REQUIRE(done == terms.size());
   return sum.value(0);
@@ -61,7 +68,7 @@ TEST_CASE("a block that ends early leaves its sum alone", "[block_sum]") {
         to[0] += 1.0;
         return first + row < end;
       };
-      return qtraj::add_block<double>(rows, add_term, sum);
+      return add_block(rows, add_term, sum);
     });
   };
   CHECK((rows_before(127) == 0 && sum.value(0) == 0));
