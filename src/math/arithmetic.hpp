@@ -41,8 +41,24 @@ struct ElementOf {
 template <class Number>
 using Element = typename ElementOf<Number>::Type;
 
-inline double fused_multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
-inline float fused_multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+// GCC 12 makes one instruction of a multiply-add and the negation of its result, -a b - c, which is 0 where -(a b + c)
+// is -0. It does so for single numbers and not for vectors. For this it must see where a value comes from: here it
+// does not, at the cost of no instruction.
+template <class Real>
+QTRAJ_INLINE Real of_hidden_origin(Real value) {
+#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__)
+  __asm__("" : "+x"(value));
+#elif defined(__aarch64__)
+  __asm__("" : "+w"(value));
+#endif
+#endif
+  return value;
+}
+QTRAJ_INLINE double fused_multiply_add(double a, double b, double c) {
+  return of_hidden_origin(__builtin_fma(a, b, c));
+}
+QTRAJ_INLINE float fused_multiply_add(float a, float b, float c) { return of_hidden_origin(__builtin_fmaf(a, b, c)); }
 
 struct Plain {
   template <class Number>
