@@ -21,10 +21,11 @@ macro(qtraj_target name processor arithmetic highway)
   endforeach()
 endmacro()
 
-# Processors without prefetchw (-mprfchw) execute it as a no-op, therefore it is a flag and not a feature.
+# popcnt: compilers take it to come with SSE4.2 and AVX2. Processors without prefetchw (-mprfchw) execute it as a no-op,
+# therefore it is a flag and not a feature.
 qtraj_target(avx512 x86_64 fused HWY_AVX3
-             FEATURES avx512f avx512bw avx512cd avx512dq avx512vl avx2 fma bmi bmi2 FLAGS -mprfchw)
-qtraj_target(avx2 x86_64 fused HWY_AVX2 FEATURES avx2 fma bmi bmi2 FLAGS -mprfchw)
-qtraj_target(sse4 x86_64 plain HWY_SSE4 FEATURES sse4.2)
+             FEATURES avx512f avx512bw avx512cd avx512dq avx512vl avx2 fma bmi bmi2 popcnt FLAGS -mprfchw)
+qtraj_target(avx2 x86_64 fused HWY_AVX2 FEATURES avx2 fma bmi bmi2 popcnt FLAGS -mprfchw)
+qtraj_target(sse4 x86_64 plain HWY_SSE4 FEATURES sse4.2 popcnt)
 # Highway declares its NEON functions for processors with AES. No instruction of it is used, and compilers emit none.
 qtraj_target(neon aarch64 fused HWY_NEON FLAGS -march=armv8-a+crypto)
