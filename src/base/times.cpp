@@ -13,8 +13,10 @@ Status check_time(double first, double previous, double time) {
   if (!(time > previous)) return Status::time_order;
   // halved first, so that the difference cannot overflow
   if (0.5 * time - 0.5 * std::min(first, previous) > 0.5 * DBL_MAX) return Status::time_span;
-  const double h = time - previous;
-  if (h < 1.0 && h * h < 1.0 / DBL_MAX) return Status::time_order;
+  // The least step whose square, rounded, is not below 2^-1024, the reciprocal of DBL_MAX. That is a subnormal number,
+  // which a processor told to treat these as 0 could not be compared with.
+  constexpr double kLeastStep = 0x1.ffffffffffffep-513;
+  if (time - previous < kLeastStep) return Status::time_order;
   return Status::ok;
 }
 
