@@ -33,7 +33,7 @@ class ChunkTimes {
   }
 
   size_t rows() const { return rows_; }
-  double operator[](size_t i) const { return times_[i]; }
+  const double& operator[](size_t i) const { return times_[i]; }
   const double* from(size_t i) const { return times_ + i; }
 
   // Copies the times to the buffer, replaces those that are not finite or outside the knots by the first knot, and pads

@@ -55,6 +55,10 @@ inline double uniform_time_guarded(const TimeSource& times, double i) {
   return times.start + offset;
 }
 
+// A caller's time, read from memory once: were another thread to write it meanwhile, what is looked up is still what was
+// compared with the knots.
+inline double read_once(const double& time) { return *const_cast<const volatile double*>(&time); }
+
 class TimeReader {
  public:
   TimeReader(const TimeSource& times, size_t count)
@@ -63,7 +67,7 @@ class TimeReader {
         guarded_(finite_ && !times.array && may_overflow(times, count)) {}
 
   double operator[](size_t i) const {
-    if (times_.array) return times_.array[i];
+    if (times_.array) return read_once(times_.array[i]);
     if (!finite_) return __builtin_nan("");
     const double row = static_cast<double>(i);
     return guarded_ ? uniform_time_guarded(times_, row) : times_.start + row * times_.step;

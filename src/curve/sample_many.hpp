@@ -96,9 +96,11 @@ class Batch {
   // False, with nothing done, where runs would on average be shorter than that or times are outside the knots.
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
-    if (times_[0] < index_.knots[0] || times_[rows - 1] > trajectory_.last_inside) return false;
-    const size_t first = find_segment(index_, times_[0], cursor);
-    const size_t last = find_segment(index_, times_[rows - 1], first);
+    const double first_time = read_once(times_[0]), last_time = read_once(times_[rows - 1]);
+    if (first_time < index_.knots[0] || last_time > trajectory_.last_inside) return false;
+    if (!(first_time <= last_time)) return false;
+    const size_t first = find_segment(index_, first_time, cursor);
+    const size_t last = find_segment(index_, last_time, first);
     cursor = last;
     if ((last - first) * kLeastRun >= rows) return false;
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {

@@ -12,13 +12,14 @@ namespace {
 
 constexpr RowKernel<UnitKeyRows> kUnitKeyKernels[] = QTRAJ_OF_EACH_TARGET(unit_keys);
 
-Status check_keyframe(const KeyframeInput& input, size_t key, bool is_ordinary) {
-  const bool finite = is_finite(input.times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
+// `times` are the copies, which nobody writes to while they are looked at.
+Status check_keyframe(const KeyframeInput& input, const double* times, size_t key, bool is_ordinary) {
+  const bool finite = is_finite(times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
                       (!input.omega.data || is_finite(input.omega, key)) &&
                       (!input.alpha.data || is_finite(input.alpha, key));
   if (!finite) return Status::not_finite;
   if (!is_ordinary && is_zero(input.q_wb, key)) return Status::zero_norm;
-  return check_knot(input.times, key);
+  return check_knot(times, key);
 }
 
 // Makes keys unit from `first` on, as many as the kernel does, and returns how many. At most a block of them, which is
@@ -60,9 +61,9 @@ Outcome clean_keyframes(const KeyframeInput& input, bool keeps_signs, const Keyf
   size_t ordinary = 0;  // keys below this index are done, or were made unit by the kernel
   for (size_t key = 0; key < input.count; ++key) {
     if (key >= ordinary) ordinary = key + fill_units(input, key, cleaned, report);
-    const Status status = check_keyframe(input, key, key < ordinary);
-    if (status != Status::ok) return {status, key};
     cleaned.times[key] = input.times[key];
+    const Status status = check_keyframe(input, cleaned.times, key, key < ordinary);
+    if (status != Status::ok) return {status, key};
     if (key >= ordinary) fill_unit(input, key, cleaned, report);
     if (key > 0) continue_sign(key, keeps_signs, cleaned, report);
   }
