@@ -40,7 +40,7 @@ class PaintedStack {
   // Whether a call leaves the neighbour's memory alone. Where it meets the guard page, the process ends.
   bool holds(const Call& call) {
     touched(call);
-    return std::all_of(neighbour_, neighbour_ + kNeighbour, [](unsigned char byte) { return byte == kPaint; });
+    return neighbour_[0] == kPaint && std::memcmp(neighbour_, neighbour_ + 1, kNeighbour - 1) == 0;
   }
 
  private:
