@@ -1,10 +1,32 @@
 #include "functions/keys.hpp"
 
 #include "arguments.hpp"
+#include "diagnostics/recording.hpp"
 
 using namespace qtraj;
 
 namespace {
+
+template <class Real>
+qtraj_status check_rows(const double* times, const Real* q_wb, size_t count, int32_t* status_out,
+                        qtraj_key_report* report, size_t* bad_index) {
+  const Samples keys = {input<1>(times, count), input<4>(q_wb, count)};
+  return capi::call(
+      {keys.times, keys.q_wb, optional(capi::result(status_out, count)), optional(capi::result(report, 1))}, {},
+      bad_index, [&]() -> Outcome {
+        qtraj_key_report ignored;
+        qtraj_key_report& found = report ? *report : ignored;
+        if (times_are_in_order(keys)) return check_keys(keys, {}, status_out, found);
+        // together no more than the times and the keys, whose size was checked
+        auto* chain = static_cast<size_t*>(capi::allocate(count * sizeof(size_t)));
+        auto* latest = static_cast<double*>(capi::allocate(count * sizeof(double)));
+        const Outcome outcome = chain && latest ? check_keys(keys, {chain, latest}, status_out, found)
+                                                : Outcome{Status::no_memory, kNoIndex};
+        capi::release(latest);
+        capi::release(chain);
+        return outcome;
+      });
+}
 
 template <class Real>
 qtraj_status normalize_rows(const Real* q, size_t count, Real* q_out, size_t* bad_index) {
@@ -36,6 +58,16 @@ qtraj_status reorder(const Real* q, size_t count, Real* q_out, void (*move)(cons
 }  // namespace
 
 extern "C" {
+
+qtraj_status qtraj_check_keys(const double* times, const double* q_wb, size_t count, int32_t* status_out,
+                              qtraj_key_report* report, size_t* bad_index) {
+  return check_rows(times, q_wb, count, status_out, report, bad_index);
+}
+
+qtraj_status qtraj_check_keys_f32(const double* times, const float* q_wb, size_t count, int32_t* status_out,
+                                  qtraj_key_report* report, size_t* bad_index) {
+  return check_rows(times, q_wb, count, status_out, report, bad_index);
+}
 
 qtraj_status qtraj_normalize(const double* q, size_t count, double* q_out, size_t* bad_index) {
   return normalize_rows(q, count, q_out, bad_index);

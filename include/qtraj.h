@@ -265,6 +265,28 @@ typedef struct qtraj_trajectory qtraj_trajectory;
  * qtraj_options_create() or qtraj_options_init(), given back with qtraj_options_destroy(). One thread at a time. */
 typedef struct qtraj_options qtraj_options;
 
+/** What qtraj_check_keys() found in a recording besides the status of each key: 128 bytes, the same on every machine.
+ *
+ * An index is that of a key, of the later one of two neighbours, and UINT64_MAX where there is none; its value is then
+ * NaN. Of equal values it is the first. Neighbours are keys without fault that follow each other once those at fault
+ * are left out. */
+typedef struct qtraj_key_report {
+  uint64_t faults;                 /**< number of keys whose status is not QTRAJ_OK */
+  uint64_t sign_changes;           /**< number of neighbours whose dot product is below 0: harmless, q and -q are one */
+  uint64_t first_sign_change;      /**< index of the first of them */
+  double worst_norm_error;         /**< largest | |q| - 1 | of all keys with a direction; above 0.01 these are hardly
+                                      quaternions: look at order, type and layout of the array */
+  uint64_t worst_norm_index;       /**< its index */
+  double largest_angle;            /**< largest rotation angle between neighbours, rad, in [0, pi]; near pi it is a
+                                      matter of chance which way round a curve goes */
+  uint64_t largest_angle_index;    /**< its index */
+  double longest_interval;         /**< longest time between neighbours, s: a gap in the data */
+  uint64_t longest_interval_index; /**< its index */
+  double shortest_interval;        /**< shortest time between neighbours, s: a row written twice, or another clock */
+  uint64_t shortest_interval_index; /**< its index */
+  uint64_t reserved[5];             /**< 0 */
+} qtraj_key_report;
+
 /** @} */
 
 /* ---- Library ---- */
@@ -1305,8 +1327,62 @@ QTRAJ_API qtraj_status qtraj_squad_segment(const double* q0, const double* q1, c
 /* ---- Keys: in place allowed ---- */
 
 /** @defgroup qtraj-keys Keys
- * Arrays of keys made ready. All of them work in place.
+ * Arrays of keys looked at and made ready. What gives keys works in place.
  * @{ */
+
+/** Finds all faults of a recording at once, and what is suspicious in it without being a fault.
+ *
+ * NOT_FINITE and ZERO_NORM are judged by the key alone. Of the keys that are left the longest series whose times
+ * increase is good, the one whose keys come first where there are several, and all others are TIME_ORDER: one wild
+ * time, ahead or back, is one fault, of a repeated time the first stays, and where a clock was set back the longer
+ * part. (A constructor stops at the first key that does not fit the one before it: after a time that is ahead that is
+ * the next key.) The keys without fault are keys that constructors take, if two or more are left.
+ *
+ * Takes memory during the call, 16 bytes a key, only where times are out of order; its time grows as the number of
+ * keys.
+ *
+ * @param times       [count], s
+ * @param q_wb        [count][4], w x y z, body to world, the keys
+ * @param count       number of keys, any; where it is 0 arrays may be NULL
+ * @param status_out  [count], a qtraj_status for each key: QTRAJ_OK, or the first of QTRAJ_E_NOT_FINITE,
+ *                    QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (too far after the first good key); may
+ * be NULL
+ * @param report      receives how many keys are at fault, and what is suspicious; may be NULL
+ * @param bad_index   receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of the report too), QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: that of the first key at fault; all
+ *     outputs are written */
+QTRAJ_API qtraj_status qtraj_check_keys(const double* times, const double* q_wb, size_t count, int32_t* status_out,
+                                        qtraj_key_report* report, size_t* bad_index);
+
+/** Finds all faults of a recording of float keys at once: twin of qtraj_check_keys().
+ *
+ * The keys are read as float, the times as double; the report is double.
+ *
+ * NOT_FINITE and ZERO_NORM are judged by the key alone. Of the keys that are left the longest series whose times
+ * increase is good, the one whose keys come first where there are several, and all others are TIME_ORDER: one wild
+ * time, ahead or back, is one fault, of a repeated time the first stays, and where a clock was set back the longer
+ * part. (A constructor stops at the first key that does not fit the one before it: after a time that is ahead that is
+ * the next key.) The keys without fault are keys that constructors take, if two or more are left.
+ *
+ * Takes memory during the call, 16 bytes a key, only where times are out of order; its time grows as the number of
+ * keys.
+ *
+ * @param times       [count], s
+ * @param q_wb        [count][4], w x y z, body to world, the keys
+ * @param count       number of keys, any; where it is 0 arrays may be NULL
+ * @param status_out  [count], a qtraj_status for each key: QTRAJ_OK, or the first of QTRAJ_E_NOT_FINITE,
+ *                    QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (too far after the first good key); may
+ * be NULL
+ * @param report      receives how many keys are at fault, and what is suspicious; may be NULL
+ * @param bad_index   receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of the report too), QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: that of the first key at fault; all
+ *     outputs are written */
+QTRAJ_API qtraj_status qtraj_check_keys_f32(const double* times, const float* q_wb, size_t count, int32_t* status_out,
+                                            qtraj_key_report* report, size_t* bad_index);
 
 /** Unit quaternions, signs kept.
  *

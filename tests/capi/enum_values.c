@@ -1,5 +1,7 @@
 /* Pins the number of every enumerator and limit of the C API: they are part of the ABI, and no tool that compares
  * libraries sees them. Compiling is the test. Values are append-only: never edit a line, only add some. */
+#include <stddef.h>
+
 #include "qtraj.h"
 
 #define PIN(name, value) _Static_assert((name) == (value), #name)
@@ -78,6 +80,22 @@ PIN(QTRAJ_PATH_SHORTEST, 601);
 PIN(QTRAJ_PATH_AS_GIVEN, 602);
 
 PIN(QTRAJ_OPTIONS_BYTES, 512);
+
+/* The report's layout: 16 words of 8 bytes, wherever a double is one of them. */
+#define PIN_WORD(field, word) _Static_assert(offsetof(qtraj_key_report, field) == 8 * (word), #field)
+PIN_WORD(faults, 0);
+PIN_WORD(sign_changes, 1);
+PIN_WORD(first_sign_change, 2);
+PIN_WORD(worst_norm_error, 3);
+PIN_WORD(worst_norm_index, 4);
+PIN_WORD(largest_angle, 5);
+PIN_WORD(largest_angle_index, 6);
+PIN_WORD(longest_interval, 7);
+PIN_WORD(longest_interval_index, 8);
+PIN_WORD(shortest_interval, 9);
+PIN_WORD(shortest_interval_index, 10);
+PIN_WORD(reserved, 11);
+_Static_assert(sizeof(qtraj_key_report) == 128, "the report is 128 bytes");
 
 _Static_assert(sizeof(qtraj_status) == 4, "qtraj_status is 32 bits wide");
 _Static_assert((qtraj_status)-1 < 0, "qtraj_status is signed");

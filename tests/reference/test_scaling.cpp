@@ -157,3 +157,46 @@ TEST_CASE("the memory a constructor takes for a key does not depend on the numbe
     }
   }
 }
+
+namespace {
+
+// Times of `count` keys: in order, with every hundredth one wild, or in no order.
+enum class Order { rising, wild, none };
+std::vector<double> stamps(size_t count, Order order) {
+  Random random(22);
+  std::vector<double> times;
+  for (size_t key = 0; key < count; ++key) {
+    const double draw = random.uniform(0, 1);
+    const bool is_wild = order == Order::none || (order == Order::wild && draw < 0.01);
+    times.push_back(is_wild ? random.uniform(0, 1e9) : static_cast<double>(key));
+  }
+  return times;
+}
+
+// Least processor time of repeated checks, a key, s.
+double check_time_per_key(const std::vector<double>& times, const std::vector<double>& q, int repetitions) {
+  std::vector<int32_t> statuses(times.size());
+  double least = 1e300;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    const std::clock_t start = std::clock();
+    (void)qtraj_check_keys(times.data(), q.data(), times.size(), statuses.data(), nullptr, nullptr);
+    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return least / static_cast<double>(times.size());
+}
+
+}  // namespace
+
+TEST_CASE("the time check_keys takes for a key does not grow with the number of keys, in whatever order", "[scaling]") {
+  // in no order every key takes two searches, which grow as the logarithm
+  constexpr double kAllowed = 3.0;
+  const std::vector<double> few = tour(kFew).q, many = tour(kMany).q;
+  for (const Order order : {Order::rising, Order::wild, Order::none}) {
+    const std::vector<double> few_times = stamps(kFew, order), many_times = stamps(kMany, order);
+    double ratio = 1e300;
+    for (int attempt = 0; attempt < 5 && ratio > kAllowed; ++attempt)
+      ratio = std::min(ratio, check_time_per_key(many_times, many, 2) / check_time_per_key(few_times, few, 50));
+    std::printf("check_keys, order %d: ratio %.2f\n", static_cast<int>(order), ratio);
+    CHECK(ratio <= kAllowed);
+  }
+}
