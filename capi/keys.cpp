@@ -2,6 +2,7 @@
 
 #include "arguments.hpp"
 #include "diagnostics/recording.hpp"
+#include "functions/nanoseconds.hpp"
 
 using namespace qtraj;
 
@@ -67,6 +68,14 @@ qtraj_status qtraj_check_keys(const double* times, const double* q_wb, size_t co
 qtraj_status qtraj_check_keys_f32(const double* times, const float* q_wb, size_t count, int32_t* status_out,
                                   qtraj_key_report* report, size_t* bad_index) {
   return check_rows(times, q_wb, count, status_out, report, bad_index);
+}
+
+qtraj_status qtraj_seconds_from_ns(const int64_t* ns, size_t count, int64_t origin, double* seconds_out) {
+  const capi::Argument stamps = {ns, count, 1, sizeof *ns, false};
+  return capi::call({distinct(stamps), output<1>(seconds_out, count)}, {}, nullptr, [&] {
+    seconds_from_ns(ns, count, origin, seconds_out);
+    return Outcome{};
+  });
 }
 
 qtraj_status qtraj_normalize(const double* q, size_t count, double* q_out, size_t* bad_index) {
