@@ -111,8 +111,11 @@ qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matri
   return map<4, 9>(matrix_from_q, q_wb, count, matrix_out, bad_index);
 }
 
-qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index) {
-  return map<9, 4>(q_from_matrix, matrix, count, q_out, bad_index);
+qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double limit, double* q_out, double* distance_out,
+                                 size_t* bad_index) {
+  const MatrixRows rows = {input<9>(matrix, count), limit, output<4>(q_out, count), output<1>(distance_out, count)};
+  return call({rows.matrix, rows.q, optional(rows.distance)}, {true, is_matrix_limit(limit)}, bad_index,
+              [&] { return q_from_matrix(rows, count); });
 }
 
 qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega, const double* alpha,

@@ -1694,17 +1694,24 @@ QTRAJ_API qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t coun
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matrix_out, size_t* bad_index);
 
-/** Unit quaternions of the rotations nearest to matrices.
+/** Unit quaternions of the rotations nearest to matrices, and how far those are.
  *
- * @param matrix     [count][9], row-major, v_world = M v_body
- * @param count      number of matrices; where it is 0 arrays may be NULL
- * @param q_out      [count][4], w x y z, body to world, unit, w >= 0; may not overlap matrix
- * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * The distance is the root of the sum of the squared differences of the nine elements. Elements of three decimals make
+ * 1.5e-3 at most: a limit of 2e-3 takes them.
+ *
+ * @param matrix        [count][9], row-major, v_world = M v_body
+ * @param count         number of matrices; where it is 0 arrays may be NULL
+ * @param limit         largest distance from a rotation, 0 to 0.5; 0: 1e-3
+ * @param q_out         [count][4], w x y z, body to world, unit, w >= 0; may not overlap another array
+ * @param distance_out  [count], the distance, also of rows that the limit refuses; NaN where it exceeds 0.5 or the
+ *                      determinant is negative; may be NULL
+ * @param bad_index     receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
- *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_NOT_ROTATION (more than 1e-3 away from every rotation, by the root of the sum of
- *     squared elements, or a negative determinant): that row is NaN, all others are right */
-QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double* q_out, size_t* bad_index);
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (limit), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_NOT_ROTATION (farther than the limit from every rotation, or a negative determinant):
+ *     that row of q_out is NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double limit, double* q_out,
+                                           double* distance_out, size_t* bad_index);
 
 /** Derivatives q', q'' of q / |q| from angular velocities and accelerations.
  *

@@ -19,8 +19,9 @@ Matrix reference_matrix(const wide::Quaternion& q) {
 }
 
 // The quaternion of the rotation nearest to m: the top eigenvector of I. Bar-Itzhack's matrix (J. Guidance 23 (2000),
-// 1085), by power iteration. Its other eigenvalues are within a few 1e-3 of -1: with 1 added they die out at once.
-wide::Quaternion nearest_orientation(const double* m) {
+// 1085), by power iteration. Its other eigenvalues are near -1, so that with 1 added they die out: in 6 steps up to
+// a distance of 1e-3, in 40 up to 1/2, where they are below 0.4 of the top one.
+wide::Quaternion nearest_orientation(const double* m, int steps = 6) {
   using wide::Real;
   const Real xx = m[0], xy = m[1], xz = m[2], yx = m[3], yy = m[4], yz = m[5], zx = m[6], zy = m[7], zz = m[8];
   const Real k[4][4] = {{1 + xx + yy + zz, zy - yz, xz - zx, yx - xy},
@@ -31,7 +32,7 @@ wide::Quaternion nearest_orientation(const double* m) {
   for (size_t i = 1; i < 4; ++i)
     if (k[i][i] > k[start][start]) start = i;
   wide::Quaternion q = {k[0][start], k[1][start], k[2][start], k[3][start]};
-  for (int step = 0; step < 6; ++step) {
+  for (int step = 0; step < steps; ++step) {
     wide::Quaternion next;
     for (size_t i = 0; i < 4; ++i)
       next[i] = 0.25L * (k[i][0] * q[0] + k[i][1] * q[1] + k[i][2] * q[2] + k[i][3] * q[3]);
@@ -49,7 +50,7 @@ TEST_CASE("C API: matrices of quaternions are within 3 eps, and quaternions of t
   const std::vector<double>& q = hard_quaternions();
   std::vector<double> matrix(9 * kHardRows), back(4 * kHardRows);
   REQUIRE(qtraj_matrix_from_q(q.data(), kHardRows, matrix.data(), nullptr) == QTRAJ_OK);
-  REQUIRE(qtraj_q_from_matrix(matrix.data(), kHardRows, back.data(), nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_q_from_matrix(matrix.data(), kHardRows, 0, back.data(), nullptr, nullptr) == QTRAJ_OK);
   Worst worst, worst_back, worst_round_trip;
   size_t wrong_sign = 0;
   for (size_t row = 0; row < kHardRows; ++row) {
@@ -78,7 +79,7 @@ TEST_CASE("C API: a matrix slightly off gives the nearest rotation, within 1 eps
     for (const wide::Real element : exact)
       matrix.push_back(static_cast<double>(element) + size * random.uniform(-1, 1));
   }
-  REQUIRE(qtraj_q_from_matrix(matrix.data(), kRows, q.data(), nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_q_from_matrix(matrix.data(), kRows, 0, q.data(), nullptr, nullptr) == QTRAJ_OK);
   Worst worst;
   for (size_t row = 0; row < kRows; ++row)
     worst.add(row, error_up_to_sign(&q[4 * row], nearest_orientation(&matrix[9 * row])), kEps);
@@ -99,7 +100,7 @@ TEST_CASE("C API: exact rotations by quarter and third turns give exact quaterni
         matrix[3 * row + permutations[p][row]] = sign;
       }
       size_t fault = 7;
-      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, q, &fault);
+      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, 0, q, nullptr, &fault);
       CAPTURE(p, signs);
       if (determinant < 0) {
         CHECK(status == QTRAJ_E_NOT_ROTATION);
@@ -128,7 +129,7 @@ TEST_CASE("C API: matrices more than 1e-3 from a rotation are NOT_ROTATION", "[c
     const auto status_of = [&](auto&& element) {
       for (int k = 0; k < 9; ++k) matrix[k] = element(k);
       size_t fault = 7;
-      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, q, &fault);
+      const qtraj_status status = qtraj_q_from_matrix(matrix, 1, 0, q, nullptr, &fault);
       CHECK(fault == (status == QTRAJ_OK ? SIZE_MAX : 0));
       CHECK(std::isnan(q[0]) == (status != QTRAJ_OK));
       return status;
@@ -150,6 +151,88 @@ TEST_CASE("C API: matrices more than 1e-3 from a rotation are NOT_ROTATION", "[c
     CHECK(status_of([&](int) { return 5e-324; }) == QTRAJ_E_NOT_ROTATION);
     CHECK(status_of([&](int) { return DBL_MAX; }) == QTRAJ_E_NOT_ROTATION);
   }
+}
+
+TEST_CASE("C API: a matrix as far off as the largest limit gives the nearest rotation within 2 eps, and its distance",
+          "[capi][matrix]") {
+  const HardRows hard(44, 0);
+  Random random(45);
+  constexpr size_t kRows = 200000;
+  std::vector<double> matrix, q(4 * kRows), distance(kRows);
+  for (size_t row = 0; row < kRows; ++row) {
+    const Matrix exact = reference_matrix(wide::normalized(wide::quaternion(hard.unit(row).data())));
+    std::array<double, 9> noise;
+    double square = 0;
+    for (double& element : noise) {
+      element = random.normal();
+      square += element * element;
+    }
+    const double size = std::pow(10.0, random.uniform(-3, std::log10(0.499))) / std::sqrt(square);
+    for (size_t k = 0; k < 9; ++k) matrix.push_back(static_cast<double>(exact[k]) + size * noise[k]);
+    // now and then far in one direction
+    if (row % 4 == 0)
+      for (size_t k = 0; k < 9; ++k)
+        matrix[9 * row + k] = static_cast<double>(exact[k]) * (k % 3 == row % 3 ? (row % 8 ? 0.5005 : 1.4995) : 1.0);
+  }
+  REQUIRE(qtraj_q_from_matrix(matrix.data(), kRows, 0.5, q.data(), distance.data(), nullptr) == QTRAJ_OK);
+  Worst worst, worst_distance;
+  for (size_t row = 0; row < kRows; ++row) {
+    const double* m = &matrix[9 * row];
+    const wide::Quaternion nearest = nearest_orientation(m, 40);
+    worst.add(row, error_up_to_sign(&q[4 * row], nearest), 2 * kEps);
+    const Matrix rotation = reference_matrix(nearest);
+    wide::Real square = 0;
+    for (size_t k = 0; k < 9; ++k) square += (m[k] - rotation[k]) * (m[k] - rotation[k]);
+    const wide::Real error = std::abs(distance[row] - std::sqrt(square));
+    worst_distance.add(row, static_cast<double>(error), 4 * kEps);
+  }
+  CAPTURE(worst.row, worst_distance.row);
+  CHECK(worst.ratio <= 1);
+  CHECK(worst_distance.ratio <= 1);
+}
+
+TEST_CASE("C API: matrices of three decimals pass with a limit of 2e-3", "[capi][matrix]") {
+  Random random(46);
+  size_t refused_by_default = 0;
+  for (int i = 0; i < 20000; ++i) {
+    double matrix[9], q[4], distance;
+    REQUIRE(qtraj_matrix_from_q(hard_orientation(random).data(), 1, matrix, nullptr) == QTRAJ_OK);
+    for (double& element : matrix) element = std::round(1000 * element) / 1000;
+    CHECK(qtraj_q_from_matrix(matrix, 1, 2e-3, q, &distance, nullptr) == QTRAJ_OK);
+    CHECK(distance <= 1.5e-3);
+    const qtraj_status status = qtraj_q_from_matrix(matrix, 1, 0, q, nullptr, nullptr);
+    CHECK((status == QTRAJ_OK) == (distance <= 1e-3));
+    refused_by_default += status != QTRAJ_OK;
+  }
+  CHECK(refused_by_default > 0);
+}
+
+TEST_CASE("C API: a matrix that the limit refuses has a distance all the same, up to 1/2", "[capi][matrix][errors]") {
+  double matrix[9] = {1.25, 0, 0, 0, 1, 0, 0, 0, 1}, q[4], distance = 7;
+  CHECK(qtraj_q_from_matrix(matrix, 1, 0.2, q, &distance, nullptr) == QTRAJ_E_NOT_ROTATION);
+  CHECK(std::isnan(q[0]));
+  CHECK(std::abs(distance - 0.25) <= 4 * kEps);
+  CHECK(qtraj_q_from_matrix(matrix, 1, 0.26, q, &distance, nullptr) == QTRAJ_OK);
+  CHECK(q[0] == 1);
+  for (const double element : {1.51, -1.0, 0.0, 1e300, double(NAN)}) {
+    matrix[0] = element;
+    distance = 7;
+    CHECK(qtraj_q_from_matrix(matrix, 1, 0.5, q, &distance, nullptr) ==
+          (std::isnan(element) ? QTRAJ_E_NOT_FINITE : QTRAJ_E_NOT_ROTATION));
+    CHECK((std::isnan(distance) && std::isnan(q[0])));
+  }
+}
+
+TEST_CASE("C API: a limit that is none is VALUE", "[capi][matrix][errors]") {
+  const double matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  double q[4] = {7, 7, 7, 7}, distance = 7;
+  for (const double limit : {-1e-300, 0.5000001, 1.0, double(INFINITY), double(NAN)}) {
+    CHECK(qtraj_q_from_matrix(matrix, 1, limit, q, &distance, nullptr) == QTRAJ_E_VALUE);
+    CHECK((q[0] == 7 && distance == 7));
+  }
+  CHECK(qtraj_q_from_matrix(matrix, 1, 0.5, q, q + 3, nullptr) == QTRAJ_E_OVERLAP);
+  CHECK(qtraj_q_from_matrix(matrix, 1, 5e-324, q, &distance, nullptr) == QTRAJ_OK);
+  CHECK(distance == 0);
 }
 
 }  // namespace

@@ -91,7 +91,9 @@ inline std::vector<RowFunction<double>> row_functions(double) {
   add("rotation_vector_from_q", q, 3, false, qtraj_rotation_vector_from_q);
   add("q_from_rotation_vector", vector, 4, false, qtraj_q_from_rotation_vector);
   add("matrix_from_q", q, 9, false, qtraj_matrix_from_q);
-  add("q_from_matrix", matrix, 4, true, qtraj_q_from_matrix);
+  functions.push_back({"q_from_matrix", {matrix}, {4}, true, [](In in, size_t n, Out out, size_t* bad) {
+                         return qtraj_q_from_matrix(in[0], n, 0, out[0], nullptr, bad);
+                       }});
   // of two, with counts of their own
   const auto add_pair =
       [&](const char* name, const RowInput& a, const RowInput& b, size_t output, bool can_overflow,

@@ -43,12 +43,12 @@ static void check_keys_and_algebra(void) {
   int k;
   CHECK(qtraj_log(minus_one, 1, v, &bad) == QTRAJ_E_AMBIGUOUS && fabs(v[0] - 4 * atan(1.0)) < 1e-15);
   CHECK(v[1] == 0 && v[2] == 0);
-  CHECK(!qtraj_matrix_from_q(keys[3], 1, matrix, NULL) && !qtraj_q_from_matrix(matrix, 1, q, NULL));
+  CHECK(!qtraj_matrix_from_q(keys[3], 1, matrix, NULL) && !qtraj_q_from_matrix(matrix, 1, 0, q, NULL, NULL));
   CHECK(angle_between(keys[3], q) < 1e-15 && q[0] >= 0);
   for (k = 0; k < 9; ++k) off[k] = 1.01 * matrix[k];
-  CHECK(qtraj_q_from_matrix(off, 1, q, &bad) == QTRAJ_E_NOT_ROTATION && bad == 0 && isnan(q[0]));
+  CHECK(qtraj_q_from_matrix(off, 1, 0, q, NULL, &bad) == QTRAJ_E_NOT_ROTATION && bad == 0 && isnan(q[0]));
   for (k = 0; k < 9; ++k) off[k] = -matrix[k];
-  CHECK(qtraj_q_from_matrix(off, 1, q, NULL) == QTRAJ_E_NOT_ROTATION);
+  CHECK(qtraj_q_from_matrix(off, 1, 0, q, NULL, NULL) == QTRAJ_E_NOT_ROTATION);
 
   for (k = 0; k < 4; ++k) {
     flipped[0][k] = flipped[2][k] = 5 * keys[0][k];
