@@ -6,13 +6,13 @@ namespace {
 
 void slerp_pairs(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& fraction,
                  double* out) {
-  must_be_ok(qtraj_slerp_pairs(a.data(), b.data(), fraction.data(), fraction.size(), fraction.size(),
-                               QTRAJ_PATH_SHORTEST, out, nullptr));
+  must_be_ok(qtraj_slerp_pairs(a.data(), fraction.size(), b.data(), fraction.size(), fraction.data(), fraction.size(),
+                               fraction.size(), QTRAJ_PATH_SHORTEST, out, nullptr));
 }
 void slerp_pairs(const std::vector<float>& a, const std::vector<float>& b, const std::vector<float>& fraction,
                  float* out) {
-  must_be_ok(qtraj_slerp_pairs_f32(a.data(), b.data(), fraction.data(), fraction.size(), fraction.size(),
-                                   QTRAJ_PATH_SHORTEST, out, nullptr));
+  must_be_ok(qtraj_slerp_pairs_f32(a.data(), fraction.size(), b.data(), fraction.size(), fraction.data(),
+                                   fraction.size(), fraction.size(), QTRAJ_PATH_SHORTEST, out, nullptr));
 }
 
 template <class Real>

@@ -149,8 +149,8 @@ def add_pairs(benchmarks, library, count):
     out = np.ones((count, 4))
     peer_a, peer_b = quaternion.as_quat_array(a), quaternion.as_quat_array(b)
     benchmarks.add(f"slerp_pairs_f64/sorted/warm/K:0/M:{count}", count,
-                   lambda: library.call("qtraj_slerp_pairs", at(a), at(b), at(fraction), size(fraction), size(a),
-                                        SHORTEST, at(out), None),
+                   lambda: library.call("qtraj_slerp_pairs", at(a), size(a), at(b), size(b), at(fraction),
+                                        size(fraction), size(a), SHORTEST, at(out), None),
                    numpy_quaternion=lambda: np.slerp_vectorized(peer_a, peer_b, fraction))
 
 

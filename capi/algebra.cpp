@@ -62,8 +62,9 @@ qtraj_status qtraj_norm(const double* q, size_t count, double* norm_out, size_t*
   return map<4, 1>(norm, q, count, norm_out, bad_index);
 }
 
-qtraj_status qtraj_dot(const double* a, const double* b, size_t count, double* dot_out, size_t* bad_index) {
-  return map_pairs<4, 4, 1>(dot, a, count, b, count, count, dot_out, bad_index);
+qtraj_status qtraj_dot(const double* a, size_t a_count, const double* b, size_t b_count, size_t count, double* dot_out,
+                       size_t* bad_index) {
+  return map_pairs<4, 4, 1>(dot, a, a_count, b, b_count, count, dot_out, bad_index);
 }
 
 qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, size_t* bad_index) {

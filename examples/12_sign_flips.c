@@ -12,7 +12,7 @@
 
 static double dot(const double a[4], const double b[4]) {
   double result;
-  must(qtraj_dot(a, b, 1, &result, NULL), "dot");
+  must(qtraj_dot(a, 1, b, 1, 1, &result, NULL), "dot");
   return result;
 }
 

@@ -1145,47 +1145,51 @@ QTRAJ_API qtraj_status qtraj_slerp(const double* a, const double* b, const doubl
 QTRAJ_API qtraj_status qtraj_slerp_f32(const float* a, const float* b, const float* fraction, size_t count,
                                        int32_t path, float* q_out, size_t* bad_index);
 
-/** Slerp pair by pair: the arcs from a to b at constant rate, one fraction for all or one for each.
+/** Slerp pair by pair: the arcs from a to b at constant rate; ends and fractions are one for all or one for each.
  *
  * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
  *
- * @param a               [count][4], w x y z, of any norm but 0: fraction 0
- * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param a               [a_count][4], w x y z, of any norm but 0: fraction 0
+ * @param a_count         1 or count
+ * @param b               [b_count][4], w x y z, of any norm but 0: fraction 1
+ * @param b_count         1 or count
  * @param fraction        [fraction_count], any real numbers
  * @param fraction_count  1 or count
  * @param count           number of pairs; where it is 0 arrays may be NULL
  * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
- * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param q_out           [count][4], w x y z, unit; may be an a or b of count rows
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
-QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, const double* b, const double* fraction,
-                                         size_t fraction_count, size_t count, int32_t path, double* q_out,
-                                         size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_slerp_pairs(const double* a, size_t a_count, const double* b, size_t b_count,
+                                         const double* fraction, size_t fraction_count, size_t count, int32_t path,
+                                         double* q_out, size_t* bad_index);
 
 /** Slerp pair by pair in float: twin of qtraj_slerp_pairs().
  *
- * Computed in double and rounded once. One fraction for all or one for each.
+ * Computed in double and rounded once. Ends and fractions are one for all or one for each.
  *
  * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
  *
- * @param a               [count][4], w x y z, of any norm but 0: fraction 0
- * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param a               [a_count][4], w x y z, of any norm but 0: fraction 0
+ * @param a_count         1 or count
+ * @param b               [b_count][4], w x y z, of any norm but 0: fraction 1
+ * @param b_count         1 or count
  * @param fraction        [fraction_count], any real numbers
  * @param fraction_count  1 or count
  * @param count           number of pairs; where it is 0 arrays may be NULL
  * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
- * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param q_out           [count][4], w x y z, unit; may be an a or b of count rows
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b): that row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
-QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, const float* b, const float* fraction,
-                                             size_t fraction_count, size_t count, int32_t path, float* q_out,
-                                             size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_slerp_pairs_f32(const float* a, size_t a_count, const float* b, size_t b_count,
+                                             const float* fraction, size_t fraction_count, size_t count, int32_t path,
+                                             float* q_out, size_t* bad_index);
 
 /** Normalised linear interpolation of one pair at many fractions.
  *
@@ -1223,43 +1227,47 @@ QTRAJ_API qtraj_status qtraj_nlerp(const double* a, const double* b, const doubl
 QTRAJ_API qtraj_status qtraj_nlerp_f32(const float* a, const float* b, const float* fraction, size_t count,
                                        int32_t path, float* q_out, size_t* bad_index);
 
-/** Normalised linear interpolation pair by pair, one fraction for all or one for each.
+/** Normalised linear interpolation pair by pair; ends and fractions are one for all or one for each.
  *
- * @param a               [count][4], w x y z, of any norm but 0: fraction 0
- * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param a               [a_count][4], w x y z, of any norm but 0: fraction 0
+ * @param a_count         1 or count
+ * @param b               [b_count][4], w x y z, of any norm but 0: fraction 1
+ * @param b_count         1 or count
  * @param fraction        [fraction_count], any real numbers; far outside the result tends to the direction of b - a
  * @param fraction_count  1 or count
  * @param count           number of pairs; where it is 0 arrays may be NULL
  * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
- * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param q_out           [count][4], w x y z, unit; may be an a or b of count rows
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
  *     opposite a and b): that row is NaN, all others are right */
-QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, const double* b, const double* fraction,
-                                         size_t fraction_count, size_t count, int32_t path, double* q_out,
-                                         size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_nlerp_pairs(const double* a, size_t a_count, const double* b, size_t b_count,
+                                         const double* fraction, size_t fraction_count, size_t count, int32_t path,
+                                         double* q_out, size_t* bad_index);
 
 /** Normalised linear interpolation pair by pair in float: twin of qtraj_nlerp_pairs().
  *
- * Computed in double and rounded once. One fraction for all or one for each.
+ * Computed in double and rounded once. Ends and fractions are one for all or one for each.
  *
- * @param a               [count][4], w x y z, of any norm but 0: fraction 0
- * @param b               [count][4], w x y z, of any norm but 0: fraction 1
+ * @param a               [a_count][4], w x y z, of any norm but 0: fraction 0
+ * @param a_count         1 or count
+ * @param b               [b_count][4], w x y z, of any norm but 0: fraction 1
+ * @param b_count         1 or count
  * @param fraction        [fraction_count], any real numbers; far outside the result tends to the direction of b - a
  * @param fraction_count  1 or count
  * @param count           number of pairs; where it is 0 arrays may be NULL
  * @param path            QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
- * @param q_out           [count][4], w x y z, unit; may be a or b
+ * @param q_out           [count][4], w x y z, unit; may be an a or b of count rows
  * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
  *     opposite a and b): that row is NaN, all others are right */
-QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, const float* fraction,
-                                             size_t fraction_count, size_t count, int32_t path, float* q_out,
-                                             size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, size_t a_count, const float* b, size_t b_count,
+                                             const float* fraction, size_t fraction_count, size_t count, int32_t path,
+                                             float* q_out, size_t* bad_index);
 
 /** Slerp from a at time_a to b at time_b, sampled at many times, before and after the two too.
  *
@@ -1283,6 +1291,121 @@ QTRAJ_API qtraj_status qtraj_nlerp_pairs_f32(const float* a, const float* b, con
 QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const double* b, double time_b,
                                            const double* times, size_t count, int32_t path, double* q_out,
                                            size_t* bad_index);
+
+/** Slerp pair by pair, whose ends have times, at times of their own, before and after the two too.
+ *
+ * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a            [a_count][4], w x y z, of any norm but 0
+ * @param time_a       [a_count], s
+ * @param a_count      1 or count
+ * @param b            [b_count][4], w x y z, of any norm but 0
+ * @param time_b       [b_count], s, after time_a
+ * @param b_count      1 or count
+ * @param times        [times_count], s
+ * @param times_count  1 or count
+ * @param count        number of rows; where it is 0 arrays may be NULL
+ * @param path         QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out        [count][4], w x y z, unit; may be an a or b of count rows
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b), QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (time_a and time_b): that
+ *     row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
+QTRAJ_API qtraj_status qtraj_slerp_pairs_between(const double* a, const double* time_a, size_t a_count, const double* b,
+                                                 const double* time_b, size_t b_count, const double* times,
+                                                 size_t times_count, size_t count, int32_t path, double* q_out,
+                                                 size_t* bad_index);
+
+/** Slerp pair by pair, whose ends have times, at times of their own, before and after the two too: twin of
+ * qtraj_slerp_pairs_between().
+ *
+ * Times are double. Computed in double and rounded once.
+ *
+ * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ *
+ * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
+ *
+ * @param a            [a_count][4], w x y z, of any norm but 0
+ * @param time_a       [a_count], s
+ * @param a_count      1 or count
+ * @param b            [b_count][4], w x y z, of any norm but 0
+ * @param time_b       [b_count], s, after time_a
+ * @param b_count      1 or count
+ * @param times        [times_count], s
+ * @param times_count  1 or count
+ * @param count        number of rows; where it is 0 arrays may be NULL
+ * @param path         QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out        [count][4], w x y z, unit; may be an a or b of count rows
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b), QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (time_a and time_b): that
+ *     row is NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: opposite a and b; that row holds the turn about x */
+QTRAJ_API qtraj_status qtraj_slerp_pairs_between_f32(const float* a, const double* time_a, size_t a_count,
+                                                     const float* b, const double* time_b, size_t b_count,
+                                                     const double* times, size_t times_count, size_t count,
+                                                     int32_t path, float* q_out, size_t* bad_index);
+
+/** Normalised linear interpolation pair by pair, whose ends have times, at times of their own, before and after the two
+ * too.
+ *
+ * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ *
+ * @param a            [a_count][4], w x y z, of any norm but 0
+ * @param time_a       [a_count], s
+ * @param a_count      1 or count
+ * @param b            [b_count][4], w x y z, of any norm but 0
+ * @param time_b       [b_count], s, after time_a
+ * @param b_count      1 or count
+ * @param times        [times_count], s
+ * @param times_count  1 or count
+ * @param count        number of rows; where it is 0 arrays may be NULL
+ * @param path         QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out        [count][4], w x y z, unit; may be an a or b of count rows
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
+ *     opposite a and b), QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (time_a and time_b): that row is NaN, all others are
+ *     right */
+QTRAJ_API qtraj_status qtraj_nlerp_pairs_between(const double* a, const double* time_a, size_t a_count, const double* b,
+                                                 const double* time_b, size_t b_count, const double* times,
+                                                 size_t times_count, size_t count, int32_t path, double* q_out,
+                                                 size_t* bad_index);
+
+/** Normalised linear interpolation pair by pair, whose ends have times, at times of their own, before and after the two
+ * too: twin of qtraj_nlerp_pairs_between().
+ *
+ * Times are double. Computed in double and rounded once.
+ *
+ * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ *
+ * @param a            [a_count][4], w x y z, of any norm but 0
+ * @param time_a       [a_count], s
+ * @param a_count      1 or count
+ * @param b            [b_count][4], w x y z, of any norm but 0
+ * @param time_b       [b_count], s, after time_a
+ * @param b_count      1 or count
+ * @param times        [times_count], s
+ * @param times_count  1 or count
+ * @param count        number of rows; where it is 0 arrays may be NULL
+ * @param path         QTRAJ_PATH_SHORTEST or QTRAJ_PATH_AS_GIVEN
+ * @param q_out        [count][4], w x y z, unit; may be an a or b of count rows
+ * @param bad_index    receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_VALUE (path), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (a or b, or a chord through 0, norm below 1e-14, which takes AS_GIVEN and
+ *     opposite a and b), QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (time_a and time_b): that row is NaN, all others are
+ *     right */
+QTRAJ_API qtraj_status qtraj_nlerp_pairs_between_f32(const float* a, const double* time_a, size_t a_count,
+                                                     const float* b, const double* time_b, size_t b_count,
+                                                     const double* times, size_t times_count, size_t count,
+                                                     int32_t path, float* q_out, size_t* bad_index);
 
 /** Inner controls a_i, b_i of SQUAD for keys, by the rule CATMULL_ROM with CHORD ends.
  *
@@ -1547,15 +1670,18 @@ QTRAJ_API qtraj_status qtraj_norm(const double* q, size_t count, double* norm_ou
 
 /** Dot products in R^4 of quaternions as they are: of unit ones the cosine of half the turn from a to b.
  *
- * @param a          [count][4], w x y z
- * @param b          [count][4], w x y z
+ * @param a          [a_count][4], w x y z
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z
+ * @param b_count    1 or count
  * @param count      number of pairs; where it is 0 arrays may be NULL
  * @param dot_out    [count]; may not overlap an input
  * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
- *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a, b, or a product that overflows): that row is NaN, all others are right */
-QTRAJ_API qtraj_status qtraj_dot(const double* a, const double* b, size_t count, double* dot_out, size_t* bad_index);
+QTRAJ_API qtraj_status qtraj_dot(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
+                                 double* dot_out, size_t* bad_index);
 
 /** Exponential of half-angle vectors: (cos |v|, v sin |v| / |v|), the rotation about v by 2 |v|.
  *

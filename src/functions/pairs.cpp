@@ -1,6 +1,5 @@
 #include "functions/pairs.hpp"
 
-#include "base/times.hpp"
 #include "math/arc.hpp"
 #include "math/error_free.hpp"
 #include "math/trigonometry.hpp"
@@ -120,60 +119,6 @@ Outcome sample_pairs(RowKernel<PairRows> kernel, const PairRows& pairs, size_t c
       count, pairs.q, [&](size_t row) { return kernel(pairs, row, count); }, compute);
 }
 
-// The fraction of any finite time, time_b after time_a.
-double fraction_at(double time, double time_a, double time_b) {
-  // halved first, so that the differences cannot overflow
-  constexpr double kFarthest = 0x1p1022;
-  const double elapsed = 0.5 * time - 0.5 * time_a, step = 0.5 * time_b - 0.5 * time_a;
-  if (std::abs(elapsed) * (1.0 / kFarthest) > step) return elapsed > 0 ? kFarthest : -kFarthest;
-  return elapsed / step;
-}
-
-double fraction_at(const TimedPair& given, size_t row) {
-  return fraction_at(number_of(given.times, row), given.time_a, given.time_b);
-}
-
-// The kernel of slerp_between: slerps at times between the ends of a timed pair, in chunks.
-class BetweenEnds {
- public:
-  BetweenEnds(const TimedPair& given, bool is_valid) : given_(given) {
-    fractions_[0] = 0.5;
-    double q[4];
-    can_slerp_ = is_valid && slerp(1, q) == 1;
-  }
-
-  // Does rows from `first` on and returns how many.
-  size_t operator()(size_t first, size_t count, double* q_out) {
-    for (size_t row = first; can_slerp_;) {
-      const size_t rows = read_fractions(row, count), done = slerp(rows, q_out + 4 * row);
-      row += done;
-      if (done < kChunk) return row - first;
-    }
-    return 0;
-  }
-
- private:
-  static constexpr size_t kChunk = 64;
-
-  size_t read_fractions(size_t row, size_t count) {
-    size_t rows = 0;
-    for (; rows < kChunk && row + rows < count && is_finite(given_.times, row + rows); ++rows) {
-      fractions_[rows] = fraction_at(given_, row + rows);
-      if (!(fractions_[rows] > 0 && fractions_[rows] < 1)) break;
-    }
-    return rows;
-  }
-
-  size_t slerp(size_t rows, double* q) const {
-    const PairRows pairs = {given_.a, given_.b, input<1>(fractions_, kChunk), given_.path, output<4>(q, kChunk)};
-    return kSlerpKernels[target()](pairs, 0, rows);
-  }
-
-  const TimedPair& given_;
-  double fractions_[kChunk];
-  bool can_slerp_;
-};
-
 }  // namespace
 
 Outcome slerp(const PairRows& pairs, size_t count) {
@@ -182,24 +127,6 @@ Outcome slerp(const PairRows& pairs, size_t count) {
 
 Outcome nlerp(const PairRows& pairs, size_t count) {
   return sample_pairs<Nlerp>(kNlerpKernels[target()], pairs, count);
-}
-
-Outcome slerp_between(const TimedPair& given, size_t count) {
-  if (count == 0) return {};
-  const double ends[] = {given.time_a, given.time_b};
-  Pair pair;
-  Status status =
-      is_finite(ends[0]) && is_finite(ends[1]) ? read_pair(given.a, given.b, 0, given.path, pair) : Status::not_finite;
-  if (status == Status::ok) status = check_knot(ends, 1);
-  const Slerp curve = status == Status::ok ? Slerp(pair) : Slerp();
-
-  BetweenEnds between(given, status == Status::ok);
-  const auto kernel = [&](size_t row) { return between(row, count, static_cast<double*>(given.q.data)); };
-  return for_each_row(count, given.q, kernel, [&](size_t row, Quaternion& q) {
-    if (!is_finite(given.times, row)) return Status::not_finite;
-    if (status != Status::ok) return status;
-    return curve.at(fraction_at(given, row), q);
-  });
 }
 
 }  // namespace qtraj

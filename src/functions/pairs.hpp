@@ -78,17 +78,4 @@ class Nlerp {
 Outcome slerp(const PairRows& pairs, size_t count);
 Outcome nlerp(const PairRows& pairs, size_t count);
 
-// Slerp of one pair whose ends have times, at any times, also before and after them: the fraction is
-// (time - time_a) / (time_b - time_a), clamped to +-2^1022. Statuses of the two times are those of knots: time_order
-// where time_b does not come after time_a, or so soon after it that 1/h^2 overflows; time_span where their distance
-// overflows. Error below 6e-16 + 1e-15 |theta|, theta as for slerp. All arrays of double.
-struct TimedPair {
-  Input<4> a, b;
-  double time_a, time_b;
-  Input<1> times;
-  Path path;
-  Output<4> q;
-};
-Outcome slerp_between(const TimedPair& given, size_t count);
-
 }  // namespace qtraj

@@ -17,7 +17,8 @@ TEST_CASE("C API: products are within 2 eps of the norms' product, or not finite
   size_t product_fault = 0, dot_fault = 0;
   const qtraj_status status =
       qtraj_multiply(a.data(), kHardRows, b.data(), kHardRows, kHardRows, product.data(), &product_fault);
-  const qtraj_status dot_status = qtraj_dot(a.data(), b.data(), kHardRows, dots.data(), &dot_fault);
+  const qtraj_status dot_status =
+      qtraj_dot(a.data(), kHardRows, b.data(), kHardRows, kHardRows, dots.data(), &dot_fault);
   Worst worst, worst_dot;
   size_t first_overflow = SIZE_MAX, first_dot_overflow = SIZE_MAX, wrong = 0;
   for (size_t row = 0; row < kHardRows; ++row) {
@@ -166,7 +167,7 @@ TEST_CASE("C API: a product of basis elements is exact, and zero is a quaternion
   CHECK(qtraj_norm(zero, 1, &number, nullptr) == QTRAJ_OK);
   CHECK(number == 0);
   number = 7;
-  CHECK(qtraj_dot(zero, units[1], 1, &number, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_dot(zero, 1, units[1], 1, 1, &number, nullptr) == QTRAJ_OK);
   CHECK(number == 0);
 }
 
@@ -198,8 +199,8 @@ TEST_CASE("C API: products and norms reach DBL_MAX and subnormal numbers, past t
   CHECK(number == 5e-324);
   const Quaternion large = {kMost, 0, 0, 0}, half = {kMost / 2, kMost / 2, 0, 0}, two = {2, 0, 0, 0},
                    opposite = {1, -1, 0, 0};
-  CHECK(qtraj_dot(large.data(), two.data(), 1, &number, nullptr) == QTRAJ_E_NOT_FINITE);
-  CHECK(qtraj_dot(half.data(), opposite.data(), 1, &number, nullptr) == QTRAJ_OK);
+  CHECK(qtraj_dot(large.data(), 1, two.data(), 1, 1, &number, nullptr) == QTRAJ_E_NOT_FINITE);
+  CHECK(qtraj_dot(half.data(), 1, opposite.data(), 1, 1, &number, nullptr) == QTRAJ_OK);
   CHECK(number == 0);
 
   const auto inverse = [&](double x) {

@@ -16,8 +16,8 @@ namespace {
 template <class Real>
 std::vector<Real> many(const Functions<Real>& functions, const Batch<Real>& batch, int32_t path) {
   std::vector<Real> q(4 * batch.count());
-  functions.many(batch.a.data(), batch.b.data(), batch.fractions.data(), batch.count(), batch.count(), path, q.data(),
-                 nullptr);
+  functions.many(batch.a.data(), batch.count(), batch.b.data(), batch.count(), batch.fractions.data(), batch.count(),
+                 batch.count(), path, q.data(), nullptr);
   return q;
 }
 
@@ -100,8 +100,8 @@ TEST_CASE("C API: slerp and nlerp pair by pair give the bits of one pair at many
 
         Batch<Real> one_fraction = batch;
         for (Real& fraction : one_fraction.fractions) fraction = Real(0.3);
-        functions.many(batch.a.data(), batch.b.data(), one_fraction.fractions.data(), 1, batch.count(), path, q.data(),
-                       nullptr);
+        functions.many(batch.a.data(), batch.count(), batch.b.data(), batch.count(), one_fraction.fractions.data(), 1,
+                       batch.count(), path, q.data(), nullptr);
         CHECK(same_bits(q, many(functions, one_fraction, path)));
       }
   });

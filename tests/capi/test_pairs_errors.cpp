@@ -12,7 +12,7 @@ using pairs::kPaths;
 
 namespace {
 
-// A call of a function of one pair or pair by pair, fraction_count unused by the former.
+// A call of a function of one pair or pair by pair; counts of their own are unused by the former.
 template <class Real>
 struct Call {
   Functions<Real> functions;
@@ -20,10 +20,11 @@ struct Call {
   const Real *a, *b, *fractions;
   size_t fraction_count, count;
   int32_t path;
+  size_t a_count = count, b_count = count;
 
   qtraj_status operator()(Real* q, size_t* bad_index) const {
     return is_one_pair ? functions.one(a, b, fractions, count, path, q, bad_index)
-                       : functions.many(a, b, fractions, fraction_count, count, path, q, bad_index);
+                       : functions.many(a, a_count, b, b_count, fractions, fraction_count, count, path, q, bad_index);
   }
 };
 
@@ -60,7 +61,7 @@ TEST_CASE("C API: slerp and nlerp of nothing are OK with NULL arrays", "[capi][p
     for (const size_t fraction_count : {size_t{0}, size_t{1}}) {
       call.a = call.b = call.fractions = nullptr;
       call.count = 0;
-      call.fraction_count = fraction_count;
+      call.fraction_count = call.a_count = call.b_count = fraction_count;
       size_t bad_index = 7;
       CHECK(call(static_cast<Real*>(nullptr), &bad_index) == QTRAJ_OK);
       CHECK(bad_index == SIZE_MAX);
@@ -88,23 +89,24 @@ TEST_CASE("C API: slerp and nlerp judge arguments in order and then leave output
       *pointer = nullptr;
       check(QTRAJ_E_NULL, call);
       call.path = 0;
-      call.count = call.fraction_count = SIZE_MAX;
+      call.count = call.fraction_count = call.a_count = call.b_count = SIZE_MAX;
       check(QTRAJ_E_NULL, call);
     }
     check(QTRAJ_E_NULL, good, true);
 
     if (!good.is_one_pair)
-      for (const size_t fraction_count : {size_t{0}, size_t{2}, size_t{4}, SIZE_MAX}) {
-        call = good;
-        call.fraction_count = fraction_count;
-        call.path = 0;
-        check(QTRAJ_E_COUNT, call);
-      }
+      for (const size_t own_count : {size_t{0}, size_t{2}, size_t{4}, SIZE_MAX})
+        for (size_t* changed : {&call.fraction_count, &call.a_count, &call.b_count}) {
+          call = good;
+          *changed = own_count;
+          call.path = 0;
+          check(QTRAJ_E_COUNT, call);
+        }
 
     constexpr size_t kMost = PTRDIFF_MAX;
     for (const size_t count : {SIZE_MAX, SIZE_MAX / 4 + 2, kMost / (4 * sizeof(Real)) + 1}) {
       call = good;
-      call.count = call.fraction_count = count;
+      call.count = call.fraction_count = call.a_count = call.b_count = count;
       call.path = 0;
       check(QTRAJ_E_SIZE, call);
     }
@@ -147,7 +149,7 @@ TEST_CASE("C API: slerp and nlerp may write over whole inputs of their rows and 
     auto call = good;
     call.fractions = memory.data();
     CHECK(call(memory.data(), nullptr) == QTRAJ_E_OVERLAP);
-    call.count = call.fraction_count = 1;
+    call.count = call.fraction_count = call.a_count = call.b_count = 1;
     memory[0] = batch.fractions[0];
     CHECK(call(memory.data(), nullptr) == QTRAJ_E_OVERLAP);
     // one row: a in place
@@ -216,11 +218,31 @@ TEST_CASE("C API: rows of slerp and nlerp at fault are NaN, all others right, th
   });
 }
 
+TEST_CASE("C API: an end that serves all pairs is no place for the output, and at fault it spoils every row",
+          "[capi][pairs][errors]") {
+  for_each_function(3, [](const auto& good, auto batch) {
+    using Real = std::decay_t<decltype(batch.a[0])>;
+    if (good.is_one_pair) return;
+    auto call = good;
+    call.a = batch.a.data();
+    call.a_count = 1;
+    const std::vector<Real> before = batch.a;
+    CHECK(call(batch.a.data(), nullptr) == QTRAJ_E_OVERLAP);
+    CHECK(batch.a == before);
+    batch.a[3] = std::numeric_limits<Real>::infinity();
+    std::vector<Real> q(12, Real(7));
+    size_t bad_index = 7;
+    CHECK(call(q.data(), &bad_index) == QTRAJ_E_NOT_FINITE);
+    CHECK(bad_index == 0);
+    for (size_t row = 0; row < 3; ++row) CHECK(row_is_nan(q, row));
+  });
+}
+
 TEST_CASE("C API: an ambiguous row counts as a fault and holds an answer", "[capi][pairs][errors]") {
   const double a[] = {1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, b[] = {0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, 0}, half = 0.5;
   double q[12];
   size_t bad_index = 7;
-  CHECK(qtraj_slerp_pairs(a, b, &half, 1, 3, QTRAJ_PATH_AS_GIVEN, q, &bad_index) == QTRAJ_E_AMBIGUOUS);
+  CHECK(qtraj_slerp_pairs(a, 3, b, 3, &half, 1, 3, QTRAJ_PATH_AS_GIVEN, q, &bad_index) == QTRAJ_E_AMBIGUOUS);
   CHECK(bad_index == 1);
   CHECK(std::abs(q[5]) == 1);
   CHECK(std::isnan(q[8]));

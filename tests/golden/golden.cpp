@@ -194,7 +194,7 @@ void add_rows(Hash& hash) {
   std::vector<double> q(4 * kCount), v_world(3 * kCount);
   for (const auto interpolate : {qtraj_slerp_pairs, qtraj_nlerp_pairs})
     for (const int32_t path : {QTRAJ_PATH_SHORTEST, QTRAJ_PATH_AS_GIVEN}) {
-      interpolate(a.data(), b.data(), fractions.data(), kCount, kCount, path, q.data(), nullptr);
+      interpolate(a.data(), kCount, b.data(), kCount, fractions.data(), kCount, kCount, path, q.data(), nullptr);
       hash.add(q);
     }
   qtraj_rotate(a.data(), kCount, v.data(), kCount, kCount, v_world.data(), nullptr);

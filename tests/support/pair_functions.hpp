@@ -16,7 +16,7 @@ constexpr int32_t kPaths[] = {QTRAJ_PATH_SHORTEST, QTRAJ_PATH_AS_GIVEN};
 template <class Real>
 struct Functions {
   qtraj_status (*one)(const Real*, const Real*, const Real*, size_t, int32_t, Real*, size_t*);
-  qtraj_status (*many)(const Real*, const Real*, const Real*, size_t, size_t, int32_t, Real*, size_t*);
+  qtraj_status (*many)(const Real*, size_t, const Real*, size_t, const Real*, size_t, size_t, int32_t, Real*, size_t*);
 };
 inline std::vector<Functions<double>> functions(double) {
   return {{qtraj_slerp, qtraj_slerp_pairs}, {qtraj_nlerp, qtraj_nlerp_pairs}};

@@ -104,11 +104,9 @@ inline std::vector<RowFunction<double>> row_functions(double) {
       };
   add_pair("multiply", any, any, 4, true, qtraj_multiply);
   add_pair("rotate", q, vector, 3, true, qtraj_rotate);
+  add_pair("dot", any, any, 1, true, qtraj_dot);
   add_pair("distance", q, q, 1, false, qtraj_distance);
   add_pair("rotation_angle", q, q, 1, false, qtraj_rotation_angle);
-  functions.push_back({"dot", {any, any}, {1}, true, [](In in, size_t n, Out out, size_t* bad) {
-                         return qtraj_dot(in[0], in[1], n, out[0], bad);
-                       }});
   functions.push_back({"pow", {q, number}, {4}, false, [](In in, size_t n, Out out, size_t* bad) {
                          return qtraj_pow(in[0], in[1], n, n, out[0], bad);
                        }});

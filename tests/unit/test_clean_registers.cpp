@@ -77,20 +77,21 @@ size_t unclean_rows(size_t count) {
   std::vector<double> out(4 * count), signs = keys.q;
   std::vector<float> out_f32(4 * count);
   double mean[4];
-  return unclean([&] { qtraj_slerp_pairs(q, q + 4, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
-                 [&] {
-                   qtraj_slerp_pairs_f32(q_f32, q_f32 + 4, &half_f32, 1, count, QTRAJ_PATH_AS_GIVEN, out_f32.data(),
-                                         nullptr);
-                 },
-                 [&] { qtraj_nlerp_pairs(q, q + 4, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
-                 [&] { qtraj_rotate(q, count, vectors.data(), count, count, out.data(), nullptr); },
-                 [&] { qtraj_rotate(q, 1, vectors.data(), count, count, out.data(), nullptr); },
-                 [&] { qtraj_normalize(q, count, out.data(), nullptr); },
-                 [&] { qtraj_normalize_f32(q_f32, count, out_f32.data(), nullptr); },
-                 [&] { qtraj_make_continuous(signs.data(), 1, count, signs.data(), nullptr, nullptr); },
-                 [&] { qtraj_mean_eigen(q, nullptr, count, mean, nullptr, nullptr); },
-                 [&] { qtraj_mean_eigen(q, weights.data(), count, mean, nullptr, nullptr); },
-                 [&] { qtraj_mean_karcher(q, weights.data(), count, 0, 100, mean, nullptr, nullptr, nullptr); });
+  return unclean(
+      [&] { qtraj_slerp_pairs(q, count, q + 4, count, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+      [&] {
+        qtraj_slerp_pairs_f32(q_f32, count, q_f32 + 4, count, &half_f32, 1, count, QTRAJ_PATH_AS_GIVEN, out_f32.data(),
+                              nullptr);
+      },
+      [&] { qtraj_nlerp_pairs(q, count, q + 4, count, &half, 1, count, QTRAJ_PATH_SHORTEST, out.data(), nullptr); },
+      [&] { qtraj_rotate(q, count, vectors.data(), count, count, out.data(), nullptr); },
+      [&] { qtraj_rotate(q, 1, vectors.data(), count, count, out.data(), nullptr); },
+      [&] { qtraj_normalize(q, count, out.data(), nullptr); },
+      [&] { qtraj_normalize_f32(q_f32, count, out_f32.data(), nullptr); },
+      [&] { qtraj_make_continuous(signs.data(), 1, count, signs.data(), nullptr, nullptr); },
+      [&] { qtraj_mean_eigen(q, nullptr, count, mean, nullptr, nullptr); },
+      [&] { qtraj_mean_eigen(q, weights.data(), count, mean, nullptr, nullptr); },
+      [&] { qtraj_mean_karcher(q, weights.data(), count, 0, 100, mean, nullptr, nullptr, nullptr); });
 }
 
 size_t unclean_constructions(size_t segments) {

@@ -26,11 +26,26 @@ struct RowKernel {
   std::function<qtraj_status(const Real* const* in, size_t count, Real* out, size_t* bad_index)> call;
 };
 
-#define QTRAJ_TEST_PAIRS(function, path)                                                                               \
-  {                                                                                                                    \
-#function " " #path, {4, 4, 1 }, 4,                                                                                \
-                          [](auto in, size_t n, auto out,                                                              \
-                             size_t* bad) { return function(in[0], in[1], in[2], n, n, QTRAJ_PATH_##path, out, bad); } \
+template <class Real>
+std::vector<double> in_double(const Real* numbers, size_t count) {
+  return std::vector<double>(numbers, numbers + count);
+}
+
+// Pairs whose ends have the times 0 and 1: times are fractions.
+#define QTRAJ_TEST_TIMED_PAIRS(function)                                                        \
+  {                                                                                             \
+#function, {4, 4, 1 }, 4, [](auto in, size_t n, auto out, size_t* bad) {                      \
+  const std::vector<double> starts(n, 0.0), ends(n, 1.0), times = in_double(in[2], n);           \
+  return function(in[0], starts.data(), n, in[1], ends.data(), n, times.data(), n, n, QTRAJ_PATH_AS_GIVEN, out, bad); \
+  } \
+  }
+
+#define QTRAJ_TEST_PAIRS(function, path)                                                                    \
+  {                                                                                                         \
+#function " " #path,                                                                                    \
+        {4, 4, 1 }, 4,                                                                                      \
+         [](auto in, size_t n, auto out,                                                                    \
+            size_t* bad) { return function(in[0], n, in[1], n, in[2], n, n, QTRAJ_PATH_##path, out, bad); } \
   }
 
 std::vector<RowKernel<double>> row_kernels(double) {
@@ -39,6 +54,8 @@ std::vector<RowKernel<double>> row_kernels(double) {
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs, AS_GIVEN),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, AS_GIVEN),
+      QTRAJ_TEST_TIMED_PAIRS(qtraj_slerp_pairs_between),
+      QTRAJ_TEST_TIMED_PAIRS(qtraj_nlerp_pairs_between),
       {"rotate",
        {4, 3},
        3,
@@ -55,6 +72,8 @@ std::vector<RowKernel<float>> row_kernels(float) {
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs_f32, AS_GIVEN),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, AS_GIVEN),
+      QTRAJ_TEST_TIMED_PAIRS(qtraj_slerp_pairs_between_f32),
+      QTRAJ_TEST_TIMED_PAIRS(qtraj_nlerp_pairs_between_f32),
       {"rotate_f32",
        {4, 3},
        3,
@@ -185,11 +204,13 @@ qtraj_status slerp(const double* a, const double* b, const double* fraction, siz
 qtraj_status slerp(const float* a, const float* b, const float* fraction, size_t count, float* out) {
   return qtraj_slerp_f32(a, b, fraction, count, QTRAJ_PATH_SHORTEST, out, nullptr);
 }
-qtraj_status slerp_pairs(const double* a, const double* b, const double* fraction, size_t fractions, double* out) {
-  return qtraj_slerp_pairs(a, b, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
+qtraj_status slerp_pairs(const double* a, size_t a_count, const double* b, size_t b_count, const double* fraction,
+                         size_t fractions, double* out) {
+  return qtraj_slerp_pairs(a, a_count, b, b_count, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
 }
-qtraj_status slerp_pairs(const float* a, const float* b, const float* fraction, size_t fractions, float* out) {
-  return qtraj_slerp_pairs_f32(a, b, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
+qtraj_status slerp_pairs(const float* a, size_t a_count, const float* b, size_t b_count, const float* fraction,
+                         size_t fractions, float* out) {
+  return qtraj_slerp_pairs_f32(a, a_count, b, b_count, fraction, fractions, kMost, QTRAJ_PATH_SHORTEST, out, nullptr);
 }
 qtraj_status rotate(const double* q, size_t q_count, const double* v, size_t v_count, double* out) {
   return qtraj_rotate(q, q_count, v, v_count, kMost, out, nullptr);
@@ -218,9 +239,13 @@ void check_repeated() {
     CHECK(same_bits(one.data(), many.data(), width * kMost));
   };
   agree(4, slerp(a.data(), b.data(), fraction.data(), kMost, one.data()),
-        slerp_pairs(copies(a, 4).data(), copies(b, 4).data(), fraction.data(), kMost, many.data()));
-  agree(4, slerp_pairs(a.data(), b.data(), fraction.data(), 1, one.data()),
-        slerp_pairs(a.data(), b.data(), copies(fraction, 1).data(), kMost, many.data()));
+        slerp_pairs(copies(a, 4).data(), kMost, copies(b, 4).data(), kMost, fraction.data(), kMost, many.data()));
+  agree(4, slerp_pairs(a.data(), kMost, b.data(), kMost, fraction.data(), 1, one.data()),
+        slerp_pairs(a.data(), kMost, b.data(), kMost, copies(fraction, 1).data(), kMost, many.data()));
+  agree(4, slerp_pairs(a.data(), 1, b.data(), kMost, fraction.data(), kMost, one.data()),
+        slerp_pairs(copies(a, 4).data(), kMost, b.data(), kMost, fraction.data(), kMost, many.data()));
+  agree(4, slerp_pairs(a.data(), kMost, b.data(), 1, fraction.data(), 1, one.data()),
+        slerp_pairs(a.data(), kMost, copies(b, 4).data(), kMost, copies(fraction, 1).data(), kMost, many.data()));
   agree(3, rotate(a.data(), 1, v.data(), kMost, one.data()),
         rotate(copies(a, 4).data(), kMost, v.data(), kMost, many.data()));
   agree(3, rotate(a.data(), kMost, v.data(), 1, one.data()),
