@@ -2040,6 +2040,9 @@ QTRAJ_API qtraj_status qtraj_estimate_jumps(int32_t frame, const double* times, 
 
 /** Rotation angle of each key to the sample nearest in time, at a tie the earlier one.
  *
+ * The angle by which the body turns, signs ignored: twice the angle on S^3 that qtraj_distance() gives of the nearer
+ * sign.
+ *
  * @param key_times  [key_count], s, in any order
  * @param key_q      [key_count][4], w x y z, body to world, of any norm but 0
  * @param key_count  number of keys; where it is 0 their arrays and the outputs may be NULL, and samples are checked all
