@@ -121,6 +121,19 @@ qtraj_status qtraj_even_times(double first, double last, size_t count, double* t
   });
 }
 
+qtraj_status qtraj_segment_times(const qtraj_trajectory* trajectory, size_t per_segment, double* times_out) {
+  if (!times_out) return QTRAJ_E_NULL;
+  const Status handle = capi::check_handle(trajectory);
+  if (handle != Status::ok) return capi::to_c(handle);
+  if (per_segment < 2) return QTRAJ_E_TOO_FEW;
+  const size_t segments = trajectory->core.key_count - 1, steps = per_segment - 1;
+  size_t bytes;
+  if (steps > SIZE_MAX / segments - 1 || !capi::array_bytes(segments * steps + 1, sizeof(double), bytes))
+    return QTRAJ_E_SIZE;
+  segment_times(knots_of(trajectory->core), trajectory->core.key_count, per_segment, times_out);
+  return QTRAJ_OK;
+}
+
 qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out) {
   return sample_at(trajectory, time, cursor, outputs(q_out));
 }

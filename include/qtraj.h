@@ -857,6 +857,17 @@ QTRAJ_API qtraj_status qtraj_uniform_count(const qtraj_trajectory* trajectory, d
  *   - QTRAJ_E_NOT_FINITE (first or last), QTRAJ_E_TIME_ORDER (last before first): all rows are NaN */
 QTRAJ_API qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out);
 
+/** Times in every segment of a trajectory, evenly spaced, both ends included: knots are there once, and as they are.
+ *
+ * Row k (per_segment - 1) is knot k; times never decrease. What differs from segment to segment, such as a difference
+ * or a plot of rates that jump, wants times like these.
+ *
+ * @param trajectory   the curve
+ * @param per_segment  number of times in each segment, 2 or more
+ * @param times_out    [(key_count - 1) * (per_segment - 1) + 1], s, key_count that of qtraj_key_count()
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW (per_segment), QTRAJ_E_SIZE: nothing is written */
+QTRAJ_API qtraj_status qtraj_segment_times(const qtraj_trajectory* trajectory, size_t per_segment, double* times_out);
+
 /** Samples the orientation at one time, for control loops.
  *
  * @param trajectory  the curve

@@ -46,4 +46,10 @@ Status even_times(double first, double last, size_t count, double* times) {
   return Status::ok;
 }
 
+void segment_times(const double* knots, size_t count, size_t per_segment, double* times) {
+  // each segment writes the knot that it ends with, and the next one writes it again
+  for (size_t segment = 0; segment + 1 < count; ++segment)
+    even_times(knots[segment], knots[segment + 1], per_segment, times + segment * (per_segment - 1));
+}
+
 }  // namespace qtraj

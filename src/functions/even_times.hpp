@@ -14,4 +14,8 @@ namespace qtraj {
 // are NaN.
 Status even_times(double first, double last, size_t count, double* times);
 
+// per_segment of them in each segment of strictly increasing knots [count], those that two segments share once: times
+// [(count - 1) (per_segment - 1) + 1], which never decrease and hold every knot as it is. count, per_segment >= 2.
+void segment_times(const double* knots, size_t count, size_t per_segment, double* times);
+
 }  // namespace qtraj
