@@ -49,6 +49,19 @@ qtraj_status continue_rows(const Real* q, size_t series, size_t length, Real* q_
 }
 
 template <class Real>
+qtraj_status continue_strided(const Real* q, const SeriesLayout& layout, Real* q_out, size_t* flips,
+                              size_t* bad_index) {
+  const size_t extent = layout.extent();
+  size_t flipped = 0;
+  const ContinuousRows rows = {input<4>(q, extent), output<4>(q_out, extent), &flipped};
+  return capi::call({rows.q, rows.q_out, optional(capi::result(flips, 1))}, {true, layout.is_apart()}, bad_index, [&] {
+    const Outcome outcome = make_continuous(rows, layout);
+    if (flips) *flips = flipped;
+    return outcome;
+  });
+}
+
+template <class Real>
 qtraj_status reorder(const Real* q, size_t count, Real* q_out, void (*move)(const void*, size_t, size_t, void*)) {
   return capi::call({input<4>(q, count), output<4>(q_out, count)}, {}, nullptr, [&] {
     move(q, sizeof(Real), count, q_out);
@@ -94,6 +107,16 @@ qtraj_status qtraj_make_continuous(const double* q, size_t series, size_t length
 qtraj_status qtraj_make_continuous_f32(const float* q, size_t series, size_t length, float* q_out, size_t* flips,
                                        size_t* bad_index) {
   return continue_rows(q, series, length, q_out, flips, bad_index);
+}
+
+qtraj_status qtraj_make_continuous_strided(const double* q, size_t series, size_t series_stride, size_t length,
+                                           size_t key_stride, double* q_out, size_t* flips, size_t* bad_index) {
+  return continue_strided(q, {series, series_stride, length, key_stride}, q_out, flips, bad_index);
+}
+
+qtraj_status qtraj_make_continuous_strided_f32(const float* q, size_t series, size_t series_stride, size_t length,
+                                               size_t key_stride, float* q_out, size_t* flips, size_t* bad_index) {
+  return continue_strided(q, {series, series_stride, length, key_stride}, q_out, flips, bad_index);
 }
 
 qtraj_status qtraj_wxyz_from_xyzw(const double* q_xyzw, size_t count, double* q_out) {

@@ -1590,6 +1590,54 @@ QTRAJ_API qtraj_status qtraj_make_continuous(const double* q, size_t series, siz
 QTRAJ_API qtraj_status qtraj_make_continuous_f32(const float* q, size_t series, size_t length, float* q_out,
                                                  size_t* flips, size_t* bad_index);
 
+/** Makes the signs of series continuous that lie along any axis of an array.
+ *
+ * Key k of series s is row s * series_stride + k * key_stride of q and of q_out. In an array [length][series][4] the
+ * strides are 1 and series; in [series][length][4] length and 1, as in qtraj_make_continuous(), whose results these
+ * are. Rows between are neither read nor written.
+ *
+ * @param q              its first row is key 0 of series 0; keys of any norm but 0
+ * @param series         number of series; where it or length is 0 arrays may be NULL
+ * @param series_stride  rows from a series to the next
+ * @param length         number of keys of each
+ * @param key_stride     rows from a key to the next of its series; no two keys may share a row: series_stride exceeds
+ *                       (length - 1) * key_stride, or key_stride exceeds (series - 1) * series_stride
+ * @param q_out          as q, with the same strides; may be q; else it may not overlap q from first row to last
+ * @param flips          receives the number of keys that were negated, of all series; may be NULL
+ * @param bad_index      receives s * length + k, the least of all keys at fault, SIZE_MAX where there is none; may
+ *                       be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (strides that make keys share rows), QTRAJ_E_OVERLAP (of flips too):
+ *     nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN; the next is judged by the last good one before */
+QTRAJ_API qtraj_status qtraj_make_continuous_strided(const double* q, size_t series, size_t series_stride,
+                                                     size_t length, size_t key_stride, double* q_out, size_t* flips,
+                                                     size_t* bad_index);
+
+/** Makes the signs of series of float keys continuous along any axis: twin of qtraj_make_continuous_strided().
+ *
+ * Key k of series s is row s * series_stride + k * key_stride of q and of q_out. In an array [length][series][4] the
+ * strides are 1 and series; in [series][length][4] length and 1, as in qtraj_make_continuous_f32(), whose results these
+ * are. Rows between are neither read nor written.
+ *
+ * @param q              its first row is key 0 of series 0; keys of any norm but 0
+ * @param series         number of series; where it or length is 0 arrays may be NULL
+ * @param series_stride  rows from a series to the next
+ * @param length         number of keys of each
+ * @param key_stride     rows from a key to the next of its series; no two keys may share a row: series_stride exceeds
+ *                       (length - 1) * key_stride, or key_stride exceeds (series - 1) * series_stride
+ * @param q_out          as q, with the same strides; may be q; else it may not overlap q from first row to last
+ * @param flips          receives the number of keys that were negated, of all series; may be NULL
+ * @param bad_index      receives s * length + k, the least of all keys at fault, SIZE_MAX where there is none; may
+ *                       be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_VALUE (strides that make keys share rows), QTRAJ_E_OVERLAP (of flips too):
+ *     nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN; the next is judged by the last good one before */
+QTRAJ_API qtraj_status qtraj_make_continuous_strided_f32(const float* q, size_t series, size_t series_stride,
+                                                         size_t length, size_t key_stride, float* q_out, size_t* flips,
+                                                         size_t* bad_index);
+
 /** Component order x y z w to w x y z: values are only moved, whatever they are.
  *
  * @param q_xyzw  [count][4], x y z w

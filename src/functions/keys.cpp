@@ -147,6 +147,89 @@ Outcome make_continuous(const ContinuousRows& rows, size_t series, size_t length
   });
 }
 
+size_t SeriesLayout::extent() const {
+  if (series == 0 || length == 0) return 0;
+  const auto reach = [](size_t count, size_t stride) {
+    return count > 1 && stride > SIZE_MAX / (count - 1) ? SIZE_MAX : (count - 1) * stride;
+  };
+  const size_t of_series = reach(series, series_stride), of_keys = reach(length, key_stride);
+  return of_keys == SIZE_MAX || of_series >= SIZE_MAX - 1 - of_keys ? SIZE_MAX : of_series + of_keys + 1;
+}
+
+bool SeriesLayout::is_apart() const {
+  if (series == 0 || length == 0) return true;
+  if (series > 1 && series_stride == 0) return false;
+  if (length > 1 && key_stride == 0) return false;
+  if (series == 1 || length == 1) return true;
+  // divided, as the products may overflow
+  return (series_stride - 1) / key_stride >= length - 1 || (key_stride - 1) / series_stride >= series - 1;
+}
+
+namespace {
+
+// The rows of one series whose keys follow each other.
+ContinuousRows rows_from(const ContinuousRows& rows, size_t first, size_t count) {
+  const size_t bytes = first * 4 * (rows.q.is_float ? sizeof(float) : sizeof(double));
+  return {{static_cast<const char*>(rows.q.data) + bytes, count, rows.q.is_float},
+          {static_cast<char*>(rows.q_out.data) + bytes, count, rows.q_out.is_float},
+          rows.flips};
+}
+
+// One key of a series, with the last good one before it in what is already written.
+Status continue_key(const ContinuousRows& rows, const SeriesLayout& layout, size_t of_series, size_t key) {
+  const size_t first = of_series * layout.series_stride, row = first + key * layout.key_stride;
+  const Status status = check_key(rows.q, row);
+  if (status != Status::ok) {
+    write_nan(rows.q_out, row);
+    return status;
+  }
+  const Input<4> done = {rows.q_out.data, rows.q_out.rows, rows.q_out.is_float};
+  Quaternion q = row_of(rows.q, row);
+  // keys at fault are passed over once, by the good one that follows them
+  size_t before = key;
+  while (before > 0 && !is_finite(done, first + (before - 1) * layout.key_stride)) --before;
+  if (before > 0 && is_opposed(row_of(done, first + (before - 1) * layout.key_stride), q)) {
+    q = -q;
+    ++*rows.flips;
+  }
+  write_row(rows.q_out, row, q);
+  return Status::ok;
+}
+
+}  // namespace
+
+Outcome make_continuous(const ContinuousRows& rows, const SeriesLayout& layout) {
+  size_t flips = 0;
+  Outcome outcome;
+  const auto keep_first = [&](const Outcome& found) {
+    if (found.index < outcome.index) outcome = found;
+  };
+  if (layout.key_stride == 1) {
+    for (size_t of_series = 0; of_series < layout.series; ++of_series) {
+      const ContinuousRows one = rows_from(rows, of_series * layout.series_stride, layout.length);
+      const Outcome found = make_continuous(one, 1, layout.length);
+      if (found.status != Status::ok) keep_first({found.status, of_series * layout.length + found.index});
+      flips += *rows.flips;
+    }
+    *rows.flips = flips;
+    return outcome;
+  }
+  *rows.flips = 0;
+  const auto visit = [&](size_t of_series, size_t key) {
+    const Status status = continue_key(rows, layout, of_series, key);
+    if (status != Status::ok) keep_first({status, of_series * layout.length + key});
+  };
+  // in the order of memory
+  if (layout.key_stride > layout.series_stride) {
+    for (size_t key = 0; key < layout.length; ++key)
+      for (size_t of_series = 0; of_series < layout.series; ++of_series) visit(of_series, key);
+  } else {
+    for (size_t of_series = 0; of_series < layout.series; ++of_series)
+      for (size_t key = 0; key < layout.length; ++key) visit(of_series, key);
+  }
+  return outcome;
+}
+
 void wxyz_from_xyzw(const void* q_xyzw, size_t element_bytes, size_t count, void* q_out) {
   element_bytes == 4 ? rotate_rows<12, 16>(q_xyzw, count, q_out) : rotate_rows<24, 32>(q_xyzw, count, q_out);
 }

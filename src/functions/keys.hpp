@@ -20,6 +20,18 @@ Outcome normalize_keys(const NormalizeRows& rows, size_t count);
 // negated.
 Outcome make_continuous(const ContinuousRows& rows, size_t series, size_t length);
 
+// The same for series along any axis: key k of series s is row s * series_stride + k * key_stride of both arrays, and
+// no two keys share a row. The index of an outcome is s * length + k.
+struct SeriesLayout {
+  size_t series, series_stride, length, key_stride;
+
+  // Rows from the first key to the last, of at least one key; SIZE_MAX where there are that many or more.
+  size_t extent() const;
+  // Whether keys are apart: the keys of one series lie before those of the next, or all first keys before all second.
+  bool is_apart() const;
+};
+Outcome make_continuous(const ContinuousRows& rows, const SeriesLayout& layout);
+
 // Change of component order. Numbers of element_bytes, 4 or 8, are moved as they are, whatever their bits; the output
 // may be the input.
 void wxyz_from_xyzw(const void* q_xyzw, size_t element_bytes, size_t count, void* q_out);
