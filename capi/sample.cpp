@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "curve/uniform_count.hpp"
+#include "curve/unnormalized.hpp"
 #include "functions/even_times.hpp"
 #include "targets/sampling.hpp"
 
@@ -25,6 +26,14 @@ SampleOutputs<Real> outputs(int32_t frame, Real* q_out, Real* omega_out, Real* a
   return {q_out, omega_out, alpha_out, static_cast<Frame>(frame)};
 }
 
+// Whether any two of a call's arrays overlap.
+bool overlap_any(const capi::Bytes (&arrays)[4]) {
+  for (size_t a = 0; a < 4; ++a)
+    for (size_t b = a + 1; b < 4; ++b)
+      if (capi::overlap(arrays[a], arrays[b])) return true;
+  return false;
+}
+
 template <class Real>
 Status check_arrays(const Call<Real>& call, bool times_missing) {
   const SampleOutputs<Real>& outputs = call.outputs;
@@ -40,10 +49,7 @@ Status check_arrays(const Call<Real>& call, bool times_missing) {
   if (!is_known(outputs.frame)) return Status::value;
   const capi::Bytes arrays[] = {
       {call.times.array, time_bytes}, {outputs.q, q_bytes}, {outputs.omega, rate_bytes}, {outputs.alpha, rate_bytes}};
-  for (size_t a = 0; a < 4; ++a)
-    for (size_t b = a + 1; b < 4; ++b)
-      if (capi::overlap(arrays[a], arrays[b])) return Status::overlap;
-  return Status::ok;
+  return overlap_any(arrays) ? Status::overlap : Status::ok;
 }
 
 template <class Real>
@@ -70,6 +76,22 @@ qtraj_status sample_at(const qtraj_trajectory* trajectory, double time, size_t* 
   }
   size_t start = 0;
   return capi::to_c(qtraj::sample_at(trajectory->core, time, cursor ? *cursor : start, outputs));
+}
+
+// The order of errors: NULL, HANDLE, SIZE, SETTING, OVERLAP.
+Status check_unnormalized(const qtraj_trajectory* trajectory, const double* times, size_t count,
+                          const UnnormalizedOutputs& outputs) {
+  const bool no_output = !outputs.value && !outputs.first && !outputs.second;
+  if (count > 0 && (!times || no_output)) return Status::null;
+  const Status handle = capi::check_handle(trajectory);
+  if (handle != Status::ok) return handle;
+  size_t time_bytes, row_bytes;
+  if (!capi::array_bytes(count, sizeof(double), time_bytes) || !capi::array_bytes(count, 4 * sizeof(double), row_bytes))
+    return Status::size;
+  if (!is_unnormalized(trajectory->core)) return Status::setting;
+  const capi::Bytes arrays[] = {
+      {times, time_bytes}, {outputs.value, row_bytes}, {outputs.first, row_bytes}, {outputs.second, row_bytes}};
+  return overlap_any(arrays) ? Status::overlap : Status::ok;
 }
 
 }  // namespace
@@ -113,6 +135,15 @@ qtraj_status qtraj_uniform_count(const qtraj_trajectory* trajectory, double star
   if (count) *count = 0;
   if (handle != Status::ok) return capi::to_c(handle);
   return capi::to_c(uniform_count(trajectory->core, start, step, *count));
+}
+
+qtraj_status qtraj_sample_unnormalized(const qtraj_trajectory* trajectory, const double* times, size_t count,
+                                       double* p_out, double* dp_out, double* ddp_out, size_t* bad_index) {
+  if (bad_index) *bad_index = kNoIndex;
+  const UnnormalizedOutputs outputs = {p_out, dp_out, ddp_out};
+  const Status status = check_unnormalized(trajectory, times, count, outputs);
+  if (status != Status::ok) return capi::to_c(status);
+  return capi::report(sample_unnormalized(trajectory->core, times, count, outputs), bad_index);
 }
 
 qtraj_status qtraj_even_times(double first, double last, size_t count, double* times_out) {

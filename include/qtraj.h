@@ -801,6 +801,28 @@ QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory
                                               size_t count, float* q_out, float* omega_out, float* alpha_out,
                                               size_t* bad_index);
 
+/** Samples the curve in R^4 that NLERP and QUATERNION_QUINTIC normalise, and its first and second derivatives.
+ *
+ * p / |p| is the orientation; p is the key at every knot. A derivative that jumps at a knot has its right-hand value
+ * there, at the last knot its left-hand one. Outside the knots p is the unit quaternion of qtraj_sample() by the
+ * curve's extrapolation, and the derivatives are those of it: 0 under HOLD, of the great circle under CONSTANT_RATE, of
+ * the wrapped time under PERIODIC.
+ *
+ * @param trajectory  an NLERP or QUATERNION_QUINTIC; not NULL, also where count is 0
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param p_out       [count][4], w x y z, not normalised; may be NULL, but not all three outputs
+ * @param dp_out      [count][4], 1/s; may be NULL, but not all three outputs
+ * @param ddp_out     [count][4], 1/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_SETTING (any other method), QTRAJ_E_OVERLAP (of any two
+ *     arrays): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a derivative that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
+QTRAJ_API qtraj_status qtraj_sample_unnormalized(const qtraj_trajectory* trajectory, const double* times, size_t count,
+                                                 double* p_out, double* dp_out, double* ddp_out, size_t* bad_index);
+
 /** Samples orientations at a fixed rate: at start + (double)i * step, rounded twice, for every i below count.
  *
  * @param trajectory  the curve; not NULL, also where count is 0

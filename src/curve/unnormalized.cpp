@@ -1,0 +1,110 @@
+#include "curve/unnormalized.hpp"
+
+#include "curve/evaluator.hpp"
+#include "curve/extrapolation.hpp"
+#include "curve/knot_lookup.hpp"
+#include "curve/sample_output.hpp"
+#include "math/trigonometry.hpp"
+
+namespace qtraj {
+namespace {
+
+// Value and derivatives at a time, those that are not asked for 0.
+struct Point {
+  double value[4], first[4], second[4];
+};
+
+// Multiplies a derivative by a factor; false where it overflows.
+bool scale(double (&derivative)[4], double factor) {
+  for (double& component : derivative) {
+    double product;
+    if (!scaled<double>(component, magnitude(factor), product)) return false;
+    component = factor < 0 ? -product : product;
+  }
+  return true;
+}
+
+// Multiplies by the factor of time once and twice; false where a derivative that is asked for overflows.
+bool scale_to_time(Point& point, double factor, const UnnormalizedOutputs& outputs) {
+  return (!outputs.first || scale(point.first, factor)) &&
+         (!outputs.second || (scale(point.second, factor) && scale(point.second, factor)));
+}
+
+template <size_t Degree>
+bool evaluate(const NormalizedSegment<Degree>& segment, double elapsed, const UnnormalizedOutputs& outputs,
+              Point& point) {
+  const double x = parameter<Plain>(elapsed, segment.scale, 1.0);
+  horner<Plain>(segment.c, x, point.value);
+  first_derivative<Plain>(segment.c, x, point.first);
+  second_derivative<Plain>(segment.c, x, point.second);
+  return scale_to_time(point, segment.scale, outputs);
+}
+
+bool evaluate_inside(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
+                     Point& point) {
+  const KnotIndex index = knot_index(trajectory);
+  cursor = find_segment(index, time, cursor);
+  const double elapsed = time - index.knots[cursor];
+  if (trajectory.kind == SegmentKind::normalized)
+    return evaluate(segments_of<NormalizedSegment<1>>(trajectory)[cursor], elapsed, outputs, point);
+  return evaluate(segments_of<NormalizedSegment<5>>(trajectory)[cursor], elapsed, outputs, point);
+}
+
+// HOLD and CONSTANT_RATE: the great circle m cos x + e sin x, x = rate (t - knot).
+bool evaluate_circle(const Extrapolation& side, double time, const UnnormalizedOutputs& outputs, Point& point) {
+  extrapolate(side, time, point.value);
+  if (side.rate == 0) return true;
+  const bool past_far = time > side.knot ? time > side.far_time : time < side.far_time;
+  const SinCos at = sin_cos(side.rate * ((past_far ? side.far_time : time) - side.knot));
+  for (size_t k = 0; k < 4; ++k) {
+    point.first[k] = side.e[k] * at.cos - side.m[k] * at.sin;
+    point.second[k] = -point.value[k];
+  }
+  return scale_to_time(point, side.rate, outputs);
+}
+
+// not_finite, time_range or ok.
+Status evaluate_at(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
+                   Point& point) {
+  const bool is_before = time < trajectory.before.knot;
+  if (!is_before && !(time > trajectory.after.knot))
+    return evaluate_inside(trajectory, time, cursor, outputs, point) ? Status::ok : Status::not_finite;
+  const Extrapolation& side = is_before ? trajectory.before : trajectory.after;
+  if (side.rule == Extrapolate::error) return Status::time_range;
+  if (side.rule != Extrapolate::periodic)
+    return evaluate_circle(side, time, outputs, point) ? Status::ok : Status::not_finite;
+
+  const WrappedTime wrapped = wrap_time(trajectory, time);
+  if (!evaluate_inside(trajectory, wrapped.time, cursor, outputs, point)) return Status::not_finite;
+  if (wrapped.negate)
+    for (double(*array)[4] : {&point.value, &point.first, &point.second})
+      for (double& component : *array) component = -component;
+  return Status::ok;
+}
+
+}  // namespace
+
+bool is_unnormalized(const Trajectory& trajectory) {
+  return trajectory.kind == SegmentKind::normalized || trajectory.kind == SegmentKind::normalized_quintic;
+}
+
+Outcome sample_unnormalized(const Trajectory& trajectory, const double* times, size_t count,
+                            const UnnormalizedOutputs& outputs) {
+  constexpr double kNaN = __builtin_nan("");
+  constexpr Point kFault = {{kNaN, kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN, kNaN}};
+  Outcome outcome;
+  size_t cursor = 0;
+  for (size_t row = 0; row < count; ++row) {
+    Point point = {};
+    const double time = times[row];  // once: it decides an index
+    const Status status = is_finite(time) ? evaluate_at(trajectory, time, cursor, outputs, point) : Status::not_finite;
+    if (status != Status::ok) point = kFault;
+    if (status != Status::ok && outcome.status == Status::ok) outcome = {status, row};
+    write(point.value, outputs.value, row);
+    write(point.first, outputs.first, row);
+    write(point.second, outputs.second, row);
+  }
+  return outcome;
+}
+
+}  // namespace qtraj
