@@ -1325,7 +1325,7 @@ QTRAJ_API qtraj_status qtraj_slerp_between(const double* a, double time_a, const
                                            const double* times, size_t count, int32_t path, double* q_out,
                                            size_t* bad_index);
 
-/** Slerp pair by pair, whose ends have times, at times of their own, before and after the two too.
+/** Slerp pair by pair between ends that have times, at times, outside too.
  *
  * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
  *
@@ -1353,12 +1353,10 @@ QTRAJ_API qtraj_status qtraj_slerp_pairs_between(const double* a, const double* 
                                                  size_t times_count, size_t count, int32_t path, double* q_out,
                                                  size_t* bad_index);
 
-/** Slerp pair by pair, whose ends have times, at times of their own, before and after the two too: twin of
- * qtraj_slerp_pairs_between().
+/** Slerp pair by pair between ends that have times: twin of qtraj_slerp_pairs_between().
  *
- * Times are double. Computed in double and rounded once.
- *
- * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ * Times are double. Computed in double and rounded once. The fraction is (time - time_a) / (time_b - time_a). An end,
+ * quaternion and time, is one for all or one for each.
  *
  * AS_GIVEN with b = -a, to 1e-14 rad, is a full turn about no known axis: AMBIGUOUS, the body turns about its x axis.
  *
@@ -1384,8 +1382,7 @@ QTRAJ_API qtraj_status qtraj_slerp_pairs_between_f32(const float* a, const doubl
                                                      const double* times, size_t times_count, size_t count,
                                                      int32_t path, float* q_out, size_t* bad_index);
 
-/** Normalised linear interpolation pair by pair, whose ends have times, at times of their own, before and after the two
- * too.
+/** Normalised linear interpolation pair by pair between ends that have times, at times, outside too.
  *
  * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
  *
@@ -1411,12 +1408,10 @@ QTRAJ_API qtraj_status qtraj_nlerp_pairs_between(const double* a, const double* 
                                                  size_t times_count, size_t count, int32_t path, double* q_out,
                                                  size_t* bad_index);
 
-/** Normalised linear interpolation pair by pair, whose ends have times, at times of their own, before and after the two
- * too: twin of qtraj_nlerp_pairs_between().
+/** Normalised linear interpolation pair by pair between ends that have times: twin of qtraj_nlerp_pairs_between().
  *
- * Times are double. Computed in double and rounded once.
- *
- * The fraction is (time - time_a) / (time_b - time_a). An end, quaternion and time, is one for all or one for each.
+ * Times are double. Computed in double and rounded once. The fraction is (time - time_a) / (time_b - time_a). An end,
+ * quaternion and time, is one for all or one for each.
  *
  * @param a            [a_count][4], w x y z, of any norm but 0
  * @param time_a       [a_count], s
@@ -1502,7 +1497,7 @@ QTRAJ_API qtraj_status qtraj_squad_segment(const double* q0, const double* q1, c
  * @param count       number of keys, any; where it is 0 arrays may be NULL
  * @param status_out  [count], a qtraj_status for each key: QTRAJ_OK, or the first of QTRAJ_E_NOT_FINITE,
  *                    QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (too far after the first good key); may
- * be NULL
+ *                    be NULL
  * @param report      receives how many keys are at fault, and what is suspicious; may be NULL
  * @param bad_index   receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
@@ -1530,7 +1525,7 @@ QTRAJ_API qtraj_status qtraj_check_keys(const double* times, const double* q_wb,
  * @param count       number of keys, any; where it is 0 arrays may be NULL
  * @param status_out  [count], a qtraj_status for each key: QTRAJ_OK, or the first of QTRAJ_E_NOT_FINITE,
  *                    QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (too far after the first good key); may
- * be NULL
+ *                    be NULL
  * @param report      receives how many keys are at fault, and what is suspicious; may be NULL
  * @param bad_index   receives the index of the first key at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
