@@ -66,6 +66,41 @@ static void check_limits(void) {
   }
 }
 
+/* All faults at once: which keys, and that the others make a curve. */
+static void check_recordings(void) {
+  const double wild[count] = {0, 1, 1e9, 3, 4, 4, 0, 7}, set_back[6] = {0, 1, 2, 3, 0.5, 1.5};
+  int32_t statuses[count];
+  double t[count], q[count][4], w;
+  qtraj_key_report report;
+  qtraj_trajectory* curve;
+  size_t bad, k, good = 0;
+  CHECK(qtraj_check_keys(wild, keys[0], count, statuses, &report, &bad) == QTRAJ_E_TIME_ORDER && bad == 2);
+  for (k = 0; k < count; ++k) {
+    CHECK(statuses[k] == (k == 2 || k == 5 || k == 6 ? QTRAJ_E_TIME_ORDER : QTRAJ_OK));
+    if (statuses[k] != QTRAJ_OK) continue;
+    t[good] = wild[k];
+    memcpy(q[good++], keys[k], sizeof q[0]);
+  }
+  CHECK(report.faults == 3 && report.worst_norm_error < 1e-12);
+  CHECK(report.longest_interval == 3 && report.longest_interval_index == 7);
+  CHECK(!qtraj_create(QTRAJ_SQUAD, t, q[0], good, &curve, NULL));
+  qtraj_destroy(curve);
+  CHECK(qtraj_create(QTRAJ_SQUAD, wild, keys[0], count, &curve, &bad) == QTRAJ_E_TIME_ORDER && bad == 3);
+
+  CHECK(qtraj_check_keys(set_back, keys[0], 6, statuses, &report, &bad) == QTRAJ_E_TIME_ORDER && bad == 4);
+  CHECK(report.faults == 2);
+
+  /* x y z w for w x y z keeps the norm; the time for the first component does not */
+  for (k = 0; k < count; ++k) {
+    w = keys[k][0];
+    memmove(q[k], keys[k] + 1, 3 * sizeof w);
+    q[k][3] = w;
+  }
+  CHECK(!qtraj_check_keys(times, q[0], count, NULL, &report, NULL) && report.worst_norm_error < 1e-12);
+  for (k = 0; k < count; ++k) q[k][0] = times[k];
+  CHECK(!qtraj_check_keys(times, q[0], count, NULL, &report, NULL) && report.worst_norm_error > 0.01);
+}
+
 /* Compiles as it stands there. */
 static qtraj_status run_snippet(const double* keys, qtraj_trajectory** built, size_t* bad) {
   qtraj_trajectory* curve;
@@ -106,6 +141,7 @@ void check_errors(void) {
   CHECK(qtraj_create(QTRAJ_SLERP, times, keys[0], SIZE_MAX / 8, &none, NULL) == QTRAJ_E_SIZE);
 
   check_limits();
+  check_recordings();
   CHECK(run_snippet(keys[0], &trajectory, &bad) == QTRAJ_OK && bad == SIZE_MAX && trajectory != NULL);
   qtraj_destroy(trajectory);
 

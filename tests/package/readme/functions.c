@@ -47,6 +47,9 @@ static void check_keys_and_algebra(void) {
   CHECK(angle_between(keys[3], q) < 1e-15 && q[0] >= 0);
   for (k = 0; k < 9; ++k) off[k] = 1.01 * matrix[k];
   CHECK(qtraj_q_from_matrix(off, 1, 0, q, NULL, &bad) == QTRAJ_E_NOT_ROTATION && bad == 0 && isnan(q[0]));
+  CHECK(!qtraj_q_from_matrix(off, 1, 0.02, q, v, NULL) && fabs(v[0] - 0.01 * sqrt(3.0)) < 1e-12);
+  for (k = 0; k < 9; ++k) off[k] = floor(1000 * matrix[k] + 0.5) / 1000;
+  CHECK(!qtraj_q_from_matrix(off, 1, 2e-3, q, NULL, NULL));
   for (k = 0; k < 9; ++k) off[k] = -matrix[k];
   CHECK(qtraj_q_from_matrix(off, 1, 0, q, NULL, NULL) == QTRAJ_E_NOT_ROTATION);
 
