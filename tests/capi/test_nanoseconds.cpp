@@ -59,7 +59,7 @@ TEST_CASE("C API: seconds next to the middle of two doubles are rounded the righ
   size_t wrong = 0;
   for (int repetition = 0; repetition < 100000; ++repetition) {
     // a number of 54 bits, the last one set, times a power of two is a middle; whole nanoseconds beside it
-    const Whole middle = (Whole{1} << 53) + static_cast<Whole>(random_bits(random) >> 11) | 1;
+    const Whole middle = ((Whole{1} << 53) + static_cast<Whole>(random_bits(random) >> 11)) | 1;
     const auto places = static_cast<int>(random.uniform(19, 31));
     const Whole ns = (middle * 1000000000) >> places;
     for (Whole beside = ns - 1; beside <= ns + 2; ++beside) {
