@@ -63,4 +63,18 @@ WrappedTime wrap_time(const Trajectory& trajectory, double time) {
   return {wrapped > trajectory.last_inside ? trajectory.last_inside : wrapped, is_odd && trajectory.negate_on_wrap};
 }
 
+Place place_outside(const Trajectory& trajectory, double time) {
+  const bool is_before = time < trajectory.before.knot;
+  const Extrapolation& side = is_before ? trajectory.before : trajectory.after;
+  const bool repeats = side.rule == Extrapolate::periodic;
+  // next to a knot it counts as that knot; the last one of a curve that repeats is the first of the next round
+  if (is_before ? time >= side.reach : time <= side.reach) {
+    if (is_before || !repeats) return {side.knot, false, nullptr};
+    time = side.knot;
+  }
+  if (!repeats) return {time, false, &side};
+  const WrappedTime wrapped = wrap_time(trajectory, time);
+  return {wrapped.time, wrapped.negate, nullptr};
+}
+
 }  // namespace qtraj

@@ -15,4 +15,13 @@ struct WrappedTime {
 };
 WrappedTime wrap_time(const Trajectory& trajectory, double time);
 
+// What a finite time that is not inside (curve/knot_lookup.hpp) stands for: a time within the knots, q negated or not,
+// or one beyond an end under any rule but PERIODIC.
+struct Place {
+  double time;
+  bool negate;
+  const Extrapolation* beyond;  // null where it is within the knots
+};
+Place place_outside(const Trajectory& trajectory, double time);
+
 }  // namespace qtraj

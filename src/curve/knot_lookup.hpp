@@ -59,6 +59,19 @@ static inline KnotIndex knot_index(const Trajectory& trajectory) {
            trajectory.guide_candidates}};
 }
 
+// Whether a finite time is sampled as it is: within the knots, of a curve that repeats before the last one.
+static inline bool is_inside(const Trajectory& trajectory, double time) {
+  return time >= trajectory.before.knot && time <= trajectory.last_inside;
+}
+
+// Whether a segment is longer than the longest gap: its times have no value, its knots do.
+static inline bool is_gap(const Trajectory& trajectory, const double* knots, size_t segment) {
+  return knots[segment + 1] - knots[segment] > trajectory.longest_gap;
+}
+static inline bool is_in_gap(const Trajectory& trajectory, const double* knots, size_t segment, double time) {
+  return is_gap(trajectory, knots, segment) && time > knots[segment] && time < knots[segment + 1];
+}
+
 // The segment of a time within the knots: the last one that starts at or before it; at the last knot the last segment.
 // The guess, any number, and the segment after it are tried first.
 static inline size_t find_segment(const KnotIndex& index, double time, size_t guess) {

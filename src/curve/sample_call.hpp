@@ -55,8 +55,8 @@ inline double uniform_time_guarded(const TimeSource& times, double i) {
   return times.start + offset;
 }
 
-// A caller's time, read from memory once: were another thread to write it meanwhile, what is looked up is still what was
-// compared with the knots.
+// A caller's time, read from memory once: were another thread to write it meanwhile, what is looked up is still what
+// was compared with the knots.
 inline double read_once(const double& time) { return *const_cast<const volatile double*>(&time); }
 
 class TimeReader {

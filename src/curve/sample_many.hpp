@@ -306,7 +306,7 @@ class Batch {
   QTRAJ_NOINLINE void sample_again(size_t rows, size_t& cursor, Outcome& outcome) {
     for (size_t i = 0; i < rows; ++i) {
       const double time = source_[first_row_ + i];
-      const bool inside = is_finite(time) && time >= index_.knots[0] && time <= trajectory_.last_inside;
+      const bool inside = is_finite(time) && is_inside(trajectory_, time);
       if (inside && !(has_marks_ && marked_[i])) continue;
       const size_t row = first_row_ + i;
       keep_first(kSampleAt(trajectory_, time, cursor, from_row(outputs_, row)), row, outcome);

@@ -149,14 +149,6 @@ EvaluateRow<Real>* row_evaluator(const Trajectory& trajectory, const SampleOutpu
 
 // ---- One time ----
 
-// Whether a segment is longer than the longest gap: its times have no value, its knots do.
-inline bool is_gap(const Trajectory& trajectory, const double* knots, size_t segment) {
-  return knots[segment + 1] - knots[segment] > trajectory.longest_gap;
-}
-QTRAJ_INLINE bool is_in_gap(const Trajectory& trajectory, const double* knots, size_t segment, double time) {
-  return is_gap(trajectory, knots, segment) && time > knots[segment] && time < knots[segment + 1];
-}
-
 template <class Real>
 Status sample_inside(const Trajectory& trajectory, double time, bool negate, size_t& cursor,
                      const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
@@ -167,23 +159,14 @@ Status sample_inside(const Trajectory& trajectory, double time, bool negate, siz
   return evaluate(trajectory, segment, time - index.knots[segment], negate, outputs, i);
 }
 
-// A finite time that the segments are not sampled at: before the first knot or after the last, or, of a curve that
-// repeats, at the last. Next to a knot it counts as that knot.
+// A finite time that is not inside.
 template <class Real>
 QTRAJ_NOINLINE Status sample_outside(const Trajectory& trajectory, double time, size_t& cursor,
                                      const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
-  const bool is_before = time < trajectory.before.knot;
-  const Extrapolation& side = is_before ? trajectory.before : trajectory.after;
-  if (is_before ? time >= side.reach : time <= side.reach) {
-    if (is_before || side.rule != Extrapolate::periodic)
-      return sample_inside(trajectory, side.knot, false, cursor, outputs, i, evaluate);
-    time = side.knot;
-  }
+  const Place place = place_outside(trajectory, time);
+  if (!place.beyond) return sample_inside(trajectory, place.time, place.negate, cursor, outputs, i, evaluate);
+  const Extrapolation& side = *place.beyond;
   if (side.rule == Extrapolate::error) return write_fault(Status::time_range, outputs, i);
-  if (side.rule == Extrapolate::periodic) {
-    const WrappedTime wrapped = wrap_time(trajectory, time);
-    return sample_inside(trajectory, wrapped.time, wrapped.negate, cursor, outputs, i, evaluate);
-  }
   const RateRequest request = rate_request(outputs);
   SampleRow<Real> row;
   double q[4];
@@ -200,8 +183,7 @@ template <class Real>
 QTRAJ_INLINE Status sample_row(const Trajectory& trajectory, double time, size_t& cursor,
                                const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
   if (!is_finite(time)) return write_fault(Status::not_finite, outputs, i);
-  if (time < trajectory.before.knot || time > trajectory.last_inside)
-    return sample_outside(trajectory, time, cursor, outputs, i, evaluate);
+  if (!is_inside(trajectory, time)) return sample_outside(trajectory, time, cursor, outputs, i, evaluate);
   return sample_inside(trajectory, time, false, cursor, outputs, i, evaluate);
 }
 
@@ -216,7 +198,7 @@ inline void keep_first(Status status, size_t i, Outcome& outcome) {
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
 Status sample_one(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
   if (!is_finite(time)) return write_fault(Status::not_finite, outputs, 0);
-  if (time < trajectory.before.knot || time > trajectory.last_inside)
+  if (!is_inside(trajectory, time))
     return sample_outside(trajectory, time, cursor, outputs, 0,
                           row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs));
   const KnotIndex index = knot_index(trajectory);

@@ -40,14 +40,16 @@ bool evaluate(const NormalizedSegment<Degree>& segment, double elapsed, const Un
   return scale_to_time(point, segment.scale, outputs);
 }
 
-bool evaluate_inside(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
-                     Point& point) {
+Status evaluate_inside(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
+                       Point& point) {
   const KnotIndex index = knot_index(trajectory);
   cursor = find_segment(index, time, cursor);
+  if (is_in_gap(trajectory, index.knots, cursor, time)) return Status::gap;
   const double elapsed = time - index.knots[cursor];
-  if (trajectory.kind == SegmentKind::normalized)
-    return evaluate(segments_of<NormalizedSegment<1>>(trajectory)[cursor], elapsed, outputs, point);
-  return evaluate(segments_of<NormalizedSegment<5>>(trajectory)[cursor], elapsed, outputs, point);
+  const bool fits = trajectory.kind == SegmentKind::normalized
+                        ? evaluate(segments_of<NormalizedSegment<1>>(trajectory)[cursor], elapsed, outputs, point)
+                        : evaluate(segments_of<NormalizedSegment<5>>(trajectory)[cursor], elapsed, outputs, point);
+  return fits ? Status::ok : Status::not_finite;
 }
 
 // HOLD and CONSTANT_RATE: the great circle m cos x + e sin x, x = rate (t - knot).
@@ -63,23 +65,20 @@ bool evaluate_circle(const Extrapolation& side, double time, const UnnormalizedO
   return scale_to_time(point, side.rate, outputs);
 }
 
-// not_finite, time_range or ok.
+// not_finite, time_range, gap or ok.
 Status evaluate_at(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
                    Point& point) {
-  const bool is_before = time < trajectory.before.knot;
-  if (!is_before && !(time > trajectory.after.knot))
-    return evaluate_inside(trajectory, time, cursor, outputs, point) ? Status::ok : Status::not_finite;
-  const Extrapolation& side = is_before ? trajectory.before : trajectory.after;
-  if (side.rule == Extrapolate::error) return Status::time_range;
-  if (side.rule != Extrapolate::periodic)
-    return evaluate_circle(side, time, outputs, point) ? Status::ok : Status::not_finite;
-
-  const WrappedTime wrapped = wrap_time(trajectory, time);
-  if (!evaluate_inside(trajectory, wrapped.time, cursor, outputs, point)) return Status::not_finite;
-  if (wrapped.negate)
+  if (is_inside(trajectory, time)) return evaluate_inside(trajectory, time, cursor, outputs, point);
+  const Place place = place_outside(trajectory, time);
+  if (place.beyond) {
+    if (place.beyond->rule == Extrapolate::error) return Status::time_range;
+    return evaluate_circle(*place.beyond, time, outputs, point) ? Status::ok : Status::not_finite;
+  }
+  const Status status = evaluate_inside(trajectory, place.time, cursor, outputs, point);
+  if (place.negate)
     for (double(*array)[4] : {&point.value, &point.first, &point.second})
       for (double& component : *array) component = -component;
-  return Status::ok;
+  return status;
 }
 
 }  // namespace

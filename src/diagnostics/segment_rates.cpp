@@ -38,9 +38,11 @@ bool evaluate(const Evaluator& evaluator, const typename Evaluator::template Seg
               bool with_alpha, RatesInSegment& result) {
   using Mode = SampleMode<true, true>;
   const double range = range_of_parameter(segment), x = s * range;
-  typename Evaluator::template Partial<double> partial;
+  // what is looked at for digits belongs to the value
+  typename Evaluator::template Partial<double> of_value, partial;
+  evaluator.template start<SampleMode<false, true>>(segment, x, of_value);
+  if (!has_digits(segment, of_value)) return false;
   evaluator.template start<Mode>(segment, x, partial);
-  if (!has_digits(segment, partial)) return false;
   double q[4];
   Rates<double> rates;
   evaluator.template finish_rates<Mode>(segment, x, partial, with_alpha, q, rates);

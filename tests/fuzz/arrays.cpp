@@ -58,7 +58,8 @@ void fuzz_pairs(Source& source, Level level, Digests& digests) {
   const Array<double> slerp(source, 4 * count), nlerp(source, 4 * count), one(source, 4 * count);
   size_t bad_index = 0;
   qtraj_status status = checked("slerp_pairs", [&] {
-    return qtraj_slerp_pairs(a.data(), b.data(), fractions.data(), pairs, count, path, slerp.data(), &bad_index);
+    return qtraj_slerp_pairs(a.data(), pairs, b.data(), pairs, fractions.data(), pairs, count, path, slerp.data(),
+                             &bad_index);
   });
   const bool refused = path != QTRAJ_PATH_SHORTEST && path != QTRAJ_PATH_AS_GIVEN;
   if (refused) {
@@ -67,7 +68,8 @@ void fuzz_pairs(Source& source, Level level, Digests& digests) {
   }
   check_rows("slerp_pairs", slerp, 4, status, bad_index);
   status = checked("nlerp_pairs", [&] {
-    return qtraj_nlerp_pairs(a.data(), b.data(), fractions.data(), pairs, count, path, nlerp.data(), &bad_index);
+    return qtraj_nlerp_pairs(a.data(), pairs, b.data(), pairs, fractions.data(), pairs, count, path, nlerp.data(),
+                             &bad_index);
   });
   check_rows("nlerp_pairs", nlerp, 4, status, bad_index);
   digests.of_kind.add_all(slerp);

@@ -192,7 +192,7 @@ TEST_CASE("the sums of logs are those of one sample after the other in the kerne
       for (const double* weights : {static_cast<const double*>(nullptr), all.weights_or_null()}) {
         const size_t count = all.count();
         const qtraj::SampleRows rows = {qtraj::input<4>(all.q.data(), count), qtraj::input<1>(weights, count), 1.0,
-                                        false};
+                                        false, false};
         const double base[4] = {0, 0.6, 0, 0.8};
         qtraj::LogSums sums, expected;
         CHECK(qtraj::kLogKernels[qtraj::target()]({rows, base, &sums}, 0, count) == count);

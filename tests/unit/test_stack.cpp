@@ -128,7 +128,7 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
   const auto add = [&](const char* group, const char* name, const Call& call) { calls.push_back({group, name, call}); };
   const auto pairs = [&](const char* name, auto one, auto each, auto in, auto fractions, auto out) {
     add("pairs", name, [=] { one(in, in + 4, fractions, kTimes, QTRAJ_PATH_SHORTEST, out, nullptr); });
-    add("pairs", name, [=] { each(in, in + 400, fractions, 900, 900, QTRAJ_PATH_SHORTEST, out, nullptr); });
+    add("pairs", name, [=] { each(in, 900, in + 400, 900, fractions, 900, 900, QTRAJ_PATH_SHORTEST, out, nullptr); });
   };
   pairs("slerp", qtraj_slerp, qtraj_slerp_pairs, a.q.data(), a.fractions.data(), a.out.data());
   pairs("nlerp", qtraj_nlerp, qtraj_nlerp_pairs, a.q.data(), a.fractions.data(), a.out.data());
