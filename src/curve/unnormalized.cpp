@@ -26,8 +26,10 @@ bool scale(double (&derivative)[4], double factor) {
 
 // Multiplies by the factor of time once and twice; false where a derivative that is asked for overflows.
 bool scale_to_time(Point& point, double factor, const UnnormalizedOutputs& outputs) {
-  return (!outputs.first || scale(point.first, factor)) &&
-         (!outputs.second || (scale(point.second, factor) && scale(point.second, factor)));
+  if (outputs.first && !scale(point.first, factor)) return false;
+  if (!outputs.second) return true;
+  const bool once_fits = scale(point.second, factor);
+  return once_fits && scale(point.second, factor);
 }
 
 template <size_t Degree>

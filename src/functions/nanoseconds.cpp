@@ -10,7 +10,7 @@ double rounded_quotient(uint64_t ns) {
   // 54 bits of the quotient: those of its integer part, 24 to 35, and as many behind the point as are missing. The
   // remainder, below 2^30, shifted by up to 30 bits stays below 2^60.
   const uint64_t whole = ns / kPerSecond, remainder = ns % kPerSecond;
-  int shift = 0;
+  int shift = 19;  // of 35 bits
   while (whole >> (53 - shift) == 0) ++shift;
   const uint64_t shifted = remainder << shift;
   const uint64_t bits = (whole << shift) + shifted / kPerSecond;

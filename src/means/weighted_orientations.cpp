@@ -29,9 +29,11 @@ SampleRows SampleBlock::next_part() {
 }
 
 SampleRows SampleBlock::last_part() {
+  // a block of which no row is left, because those after the parts before weigh nothing, is closed by padding alone
+  const bool is_open = rows_before_ > 0;
   size_t rows = count_;
-  for (; rows % kSumLanes != 0; ++rows) {
-    std::copy_n(q_[0], 4, q_[rows]);
+  for (; rows % kSumLanes != 0 || (rows == 0 && is_open); ++rows) {
+    if (rows > 0) std::copy_n(q_[0], 4, q_[rows]);
     weights_[rows] = 0;
   }
   rows_before_ = count_ = 0;

@@ -57,7 +57,9 @@ TEST_CASE("C API: getters describe the keys as given", "[capi][getters]") {
 TEST_CASE("C API: the first key keeps its sign and a tie keeps the given sign", "[capi][getters]") {
   const Keyframes<double> keys = {{0, 1, 2}, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0}};
   for (const int32_t method : all_methods()) {
-    const Trajectory curve = must_build(make_options({"", method}).get(), keys, rates_for<double>({"", method}, 3));
+    const Options options = make_options({"", method});
+    REQUIRE(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
+    const Trajectory curve = must_build(options.get(), keys, rates_for<double>({"", method}, 3));
     double q[12];
     REQUIRE(qtraj_keys(curve.get(), nullptr, q) == QTRAJ_OK);
     CHECK(std::equal(q, q + 12, keys.q.begin()));

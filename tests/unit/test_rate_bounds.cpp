@@ -177,6 +177,7 @@ TEST_CASE("bounds of rates hold where a rotation vector is many turns long", "[d
   test::Random random(89);
   const capi::Variant variant = {"", QTRAJ_HERMITE};
   const capi::Options options = capi::make_options(variant);
+  REQUIRE(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   for (const double rate : {30.0, 300.0}) {
     CAPTURE(rate);
     const capi::Keyframes<double> keys = {{0, 1}, {1, 0, 0, 0, 0.8, 0.6, 0, 0}};

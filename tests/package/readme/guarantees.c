@@ -8,13 +8,10 @@
 #include "claims.h"
 
 /* Linked with --wrap=malloc: every allocation of the program and of the static library comes through here. */
-static size_t allocations = 0;
+static size_t allocations = 0, most_allocations = SIZE_MAX; /* after so many malloc has no more */
 void* __real_malloc(size_t bytes);
 void* __wrap_malloc(size_t bytes);
-void* __wrap_malloc(size_t bytes) {
-  ++allocations;
-  return __real_malloc(bytes);
-}
+void* __wrap_malloc(size_t bytes) { return ++allocations > most_allocations ? NULL : __real_malloc(bytes); }
 
 static void check_memory_and_environment(void) {
   static double memory[2048], options_memory[QTRAJ_OPTIONS_BYTES / sizeof(double)];
@@ -57,6 +54,27 @@ static void check_memory_and_environment(void) {
   fesetround(FE_TONEAREST);
 }
 
+/* qtraj_check_keys takes memory where times are out of order; without it nothing is written. */
+static void check_memory_of_check_keys(void) {
+  const double mixed[count] = {0, 2, 1, 3, 4, 5, 6, 7};
+  const size_t before = allocations;
+  int32_t statuses[count];
+  qtraj_key_report report;
+  size_t bad, given;
+  CHECK(!qtraj_check_keys(times, keys[0], count, statuses, &report, &bad));
+  CHECK(allocations == before);
+  CHECK(qtraj_check_keys(mixed, keys[0], count, statuses, &report, &bad) == QTRAJ_E_TIME_ORDER && bad == 2);
+  CHECK(allocations > before);
+  report.faults = 7;
+  statuses[2] = 77;
+  for (given = 0; given < 2; ++given) {
+    most_allocations = allocations + given;
+    CHECK(qtraj_check_keys(mixed, keys[0], count, statuses, &report, &bad) == QTRAJ_E_NO_MEMORY && bad == SIZE_MAX);
+    CHECK(report.faults == 7 && statuses[2] == 77);
+  }
+  most_allocations = SIZE_MAX;
+}
+
 static void check_bits(void) {
   enum { samples = 200 };
   static double at[samples], forward[samples][4], other[samples][4], backward[samples][4];
@@ -96,5 +114,6 @@ static void check_bits(void) {
 
 void check_guarantees(void) {
   check_memory_and_environment();
+  check_memory_of_check_keys();
   check_bits();
 }
