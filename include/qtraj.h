@@ -618,8 +618,7 @@ QTRAJ_API qtraj_status qtraj_create_with_turns(const qtraj_options* options, int
                                                const int32_t* turns, size_t count, qtraj_trajectory** out,
                                                size_t* bad_index);
 
-/** Builds a trajectory through keys with a number of whole turns for each step, of float keys: twin of
- * qtraj_create_with_turns().
+/** Builds a trajectory with a number of whole turns for each step, of float keys: twin of qtraj_create_with_turns().
  *
  * Keys, omega and alpha are read as float, the times as double, and the curve is built in double.
  *

@@ -93,7 +93,7 @@ Chart chart_of(const UnitQuaternion& first_key, const Step& step) {
   const double angle = 2.0 * length(step.log);
   const Vector3 axis = (2.0 / angle) * step.log;
   const double past_turns = 0.5 * angle - 2.0 * kPi * round_to_integer(0.25 * angle / kPi);
-  const double a = 0.5 * angle + (std::abs(past_turns) < 0.5 * kPi && angle > 2.0 * kPi ? kPi : 0.0);
+  const double a = 0.5 * angle + (std::abs(past_turns) < 0.5 * kPi ? kPi : 0.0);
   const Quaternion base = multiply(first_key.value, exp_map(Vector3((0.5 * a) * axis)));
   return {normalize(base).unit.value, -a * axis, (angle - a) * axis};
 }
