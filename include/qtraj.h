@@ -2167,8 +2167,8 @@ QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const doub
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN (the span of x overflows): a point; all rows are NaN;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC, and the last point, at bad_index, has a y off the first by more than 1e-6 of the
  *     largest; all rows are NaN;
- *   - QTRAJ_E_NOT_FINITE (or a value overflows), QTRAJ_E_TIME_RANGE (outside x): a query; its row is NaN, all others
- *     are right */
+ *   - QTRAJ_E_NOT_FINITE (or a value overflows), QTRAJ_E_TIME_RANGE (outside x by more than 4 ulps of the larger end):
+ * a query; its row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start,
                                           int32_t end, const double* queries, size_t query_count, double* y_out,
                                           size_t* bad_index);

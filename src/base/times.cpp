@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 namespace qtraj {
 
@@ -18,6 +19,11 @@ Status check_time(double first, double previous, double time) {
   constexpr double kLeastStep = 0x1.ffffffffffffep-513;
   if (time - previous < kLeastStep) return Status::time_order;
   return Status::ok;
+}
+
+double end_reach(double first, double last) {
+  const double larger = std::max(std::abs(first), std::abs(last));
+  return 4.0 * (larger - std::nextafter(larger, 0.0));
 }
 
 IntervalShares interval_shares(double h_before, double h_after) {

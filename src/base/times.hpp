@@ -11,6 +11,10 @@ Status check_knot(const double* times, size_t index);
 // The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);
 
+// How far beyond the first or the last time another still counts as it: 4 units in the last place of the larger one. An
+// even grid of rounded times may end there.
+double end_reach(double first, double last);
+
 // Relative lengths of the two intervals around an inner knot t1:
 //   left = (t1 - t0)/(t2 - t0),  right = (t2 - t1)/(t2 - t0).
 // The equations of splines use these shares, because products of the intervals themselves can overflow.

@@ -47,7 +47,10 @@ class SplineCurve {
 
   // `row` is left unfinished where the status is not ok.
   Status evaluate(double query, double* row) const {
-    if (query < x_[0] || query > x_[count_ - 1]) return Status::time_range;
+    const double first = x_[0], last = x_[count_ - 1], reach = end_reach(first, last);
+    // halved first, so that no difference overflows
+    if (0.5 * first - 0.5 * query > 0.5 * reach || 0.5 * query - 0.5 * last > 0.5 * reach) return Status::time_range;
+    query = std::clamp(query, first, last);
     const size_t not_after = static_cast<size_t>(std::upper_bound(x_, x_ + count_, query) - x_);
     const size_t interval = std::min(not_after, count_ - 1) - 1;
     for (size_t c = 0; c < dim_; ++c)

@@ -2,6 +2,7 @@
 
 #include <cfloat>
 
+#include "base/times.hpp"
 #include "curve/knot_lookup.hpp"
 #include "math/so3.hpp"
 #include "methods/method.hpp"
@@ -45,11 +46,9 @@ Extrapolation extrapolation_at(const EndSetting& setting, double knot, double fo
   return side;
 }
 
-// Times up to 4 ulps of the larger end beyond a knot count as that knot: an even grid of rounded times may end there.
 void set_reach(Trajectory& trajectory) {
   Extrapolation &before = trajectory.before, &after = trajectory.after;
-  const double larger = std::max(std::abs(before.knot), std::abs(after.knot));
-  const double reach = 4.0 * (larger - std::nextafter(larger, 0.0));
+  const double reach = end_reach(before.knot, after.knot);
   before.reach = std::max(before.knot, reach - DBL_MAX) - reach;
   after.reach = std::min(after.knot, DBL_MAX - reach) + reach;
 }

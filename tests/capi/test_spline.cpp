@@ -253,4 +253,16 @@ TEST_CASE("C API: a spline may be written over any of its inputs", "[capi][splin
   CHECK(queries == expected);
 }
 
+TEST_CASE("C API: a query within 4 ulps of an end counts as that end", "[capi][spline]") {
+  const double x[4] = {0, 0.1, 0.4, 0.6}, y[4] = {1, 3, 2, 5};
+  double queries[4] = {6 * 0.1, 0.6, -4e-16, 0}, rows[4];
+  CHECK(queries[0] > 0.6);
+  REQUIRE(qtraj_cubic_spline(x, y, 4, 1, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT, queries, 4, rows, nullptr) == QTRAJ_OK);
+  CHECK(rows[0] == rows[1]);
+  CHECK(rows[2] == rows[3]);
+  const double outside = 0.6 + 1e-15;
+  CHECK(qtraj_cubic_spline(x, y, 4, 1, QTRAJ_END_DEFAULT, QTRAJ_END_DEFAULT, &outside, 1, rows, nullptr) ==
+        QTRAJ_E_TIME_RANGE);
+}
+
 }  // namespace
