@@ -362,7 +362,7 @@ QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
  * @param start    a qtraj_end_value that the method has, at the first key
  * @param end      the same at the last key; QTRAJ_END_PERIODIC is for both ends or none
  * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown end, or one of
- * the two PERIODIC), QTRAJ_E_SETTING (the method does not have this end) */
+ *   the two PERIODIC), QTRAJ_E_SETTING (the method does not have this end) */
 QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t start, int32_t end);
 
 /** Sets the rates of the curve at the ends that are QTRAJ_END_GIVEN; call qtraj_options_set_ends() before.
@@ -461,7 +461,8 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
 
 /** @defgroup qtraj-construction Construction
  * Keys are copied, normalised and made sign-continuous: each gets the sign that is nearer to the key before it; at
- * equal distance it keeps its own, as the first does. Any trajectory can be sampled in double and in float.
+ * equal distance it keeps its own, as the first does. Steps of more than half a turn are a setting of their own,
+ * qtraj_options_set_turns(). Any trajectory can be sampled in double and in float.
  * @{ */
 
 /** Builds a trajectory through keys, with the default settings of a method.
@@ -474,7 +475,7 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
- * that needs rates), QTRAJ_E_NO_MEMORY;
+ *     that needs rates), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -493,7 +494,7 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
- * that needs rates), QTRAJ_E_NO_MEMORY;
+ *     that needs rates), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -510,12 +511,13 @@ QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, con
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (at all keys, or at a GIVEN
- * end where none was set), QTRAJ_E_NO_MEMORY;
+ *     end where none was set), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
- *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique; with the index of a key: the step to it makes a
+ *     whole turn (QTRAJ_TURNS_AS_GIVEN), and nothing tells its axis;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, const double* times, const double* q_wb,
                                                  size_t count, qtraj_trajectory** out, size_t* bad_index);
@@ -533,12 +535,13 @@ QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, c
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (at all keys, or at a GIVEN
- * end where none was set), QTRAJ_E_NO_MEMORY;
+ *     end where none was set), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate of the end at bad_index, for the interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
- *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique; with the index of a key: the step to it makes a
+ *     whole turn (QTRAJ_TURNS_AS_GIVEN), and nothing tells its axis;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const double* times,
                                                      const float* q_wb, size_t count, qtraj_trajectory** out,
@@ -562,7 +565,9 @@ QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* option
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
- *     first */
+ *     first;
+ *   - QTRAJ_E_AMBIGUOUS: the step to the key at bad_index makes a whole turn (QTRAJ_TURNS_AS_GIVEN), its rates are 0,
+ *     and nothing tells its axis */
 QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
                                                const double* q_wb, const double* omega, const double* alpha,
                                                size_t count, qtraj_trajectory** out, size_t* bad_index);
@@ -587,7 +592,9 @@ QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
- *     first */
+ *     first;
+ *   - QTRAJ_E_AMBIGUOUS: the step to the key at bad_index makes a whole turn (QTRAJ_TURNS_AS_GIVEN), its rates are 0,
+ *     and nothing tells its axis */
 QTRAJ_API qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
                                                    const float* q_wb, const float* omega, const float* alpha,
                                                    size_t count, qtraj_trajectory** out, size_t* bad_index);
@@ -675,7 +682,8 @@ QTRAJ_API qtraj_status qtraj_init_size(const qtraj_options* options, size_t coun
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
- *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique; with the index of a key: the step to it makes a
+ *     whole turn (QTRAJ_TURNS_AS_GIVEN), and nothing tells its axis;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                   const double* times, const double* q_wb, const double* omega, const double* alpha,
@@ -704,7 +712,8 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the first;
- *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique;
+ *   - QTRAJ_E_AMBIGUOUS: the mean of REFERENCE_MEAN is not unique; with the index of a key: the step to it makes a
+ *     whole turn (QTRAJ_TURNS_AS_GIVEN), and nothing tells its axis;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
 QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                       const double* times, const float* q_wb, const float* omega, const float* alpha,
@@ -736,7 +745,7 @@ QTRAJ_API void qtraj_destroy(qtraj_trajectory* trajectory);
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * that row is NaN, all others are right */
+ *     that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                     double* q_out, size_t* bad_index);
 
@@ -752,7 +761,7 @@ QTRAJ_API qtraj_status qtraj_sample(const qtraj_trajectory* trajectory, const do
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * that row is NaN, all others are right */
+ *     that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                         float* q_out, size_t* bad_index);
 
@@ -771,7 +780,7 @@ QTRAJ_API qtraj_status qtraj_sample_f32(const qtraj_trajectory* trajectory, cons
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
- * is written;
+ *     is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
  *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
@@ -793,7 +802,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, in
  * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
- * is written;
+ *     is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a rate too large for float), QTRAJ_E_TIME_RANGE (a time outside the knots under
  *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
@@ -833,7 +842,7 @@ QTRAJ_API qtraj_status qtraj_sample_unnormalized(const qtraj_trajectory* traject
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * that row is NaN, all others are right */
+ *     that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, double start, double step, size_t count,
                                             double* q_out, size_t* bad_index);
 
@@ -850,7 +859,7 @@ QTRAJ_API qtraj_status qtraj_sample_uniform(const qtraj_trajectory* trajectory, 
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time), QTRAJ_E_TIME_RANGE (a time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * that row is NaN, all others are right */
+ *     that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_uniform_f32(const qtraj_trajectory* trajectory, double start, double step,
                                                 size_t count, float* q_out, size_t* bad_index);
 
@@ -899,7 +908,7 @@ QTRAJ_API qtraj_status qtraj_segment_times(const qtraj_trajectory* trajectory, s
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * q_out is NaN */
+ *     q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, double time, size_t* cursor, double* q_out);
 
 /** Samples the orientation at one time in float, for control loops: twin of qtraj_sample_at().
@@ -914,7 +923,7 @@ QTRAJ_API qtraj_status qtraj_sample_at(const qtraj_trajectory* trajectory, doubl
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE: nothing is written;
  *   - QTRAJ_E_NOT_FINITE (time), QTRAJ_E_TIME_RANGE (time outside the knots under EXTRAPOLATE_ERROR), QTRAJ_E_GAP:
- * q_out is NaN */
+ *     q_out is NaN */
 QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, double time, size_t* cursor,
                                            float* q_out);
 
@@ -1030,7 +1039,7 @@ QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
  * @param times_out   [key_count], s; may be NULL
  * @param q_out       [key_count][4], w x y z, body to world, unit; may be NULL
  * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_OVERLAP (of the two outputs): nothing is
- * written */
+ *   written */
 QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
 
 /** Smallest norm of an NLERP or QUATERNION_QUINTIC before it is normalised, computed by the call.
@@ -1062,7 +1071,7 @@ QTRAJ_API qtraj_status qtraj_curve_least_norm(const qtraj_trajectory* trajectory
  * @param alpha_jump  [key_count][3], rad/s^2; may be NULL
  * @return QTRAJ_OK, or
  *   - QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of the two outputs): nothing
- * is written;
+ *     is written;
  *   - QTRAJ_E_NOT_FINITE: a rate overflows: the rows of that knot are NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame, double* omega_jump,
                                          double* alpha_jump);
@@ -1080,8 +1089,8 @@ QTRAJ_API qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int
  * @param alpha_peak  receives the largest |alpha|, rad/s^2, inside segments; may be NULL
  * @param alpha_time  receives its time, s; may be NULL
  * @return QTRAJ_OK, or QTRAJ_E_NULL (trajectory), QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (a peak overflows),
- * QTRAJ_E_NO_CONVERGENCE (nothing is proven: it takes more pieces, or rounding leaves too few digits of a rate):
- * nothing is written */
+ *   QTRAJ_E_NO_CONVERGENCE (nothing is proven: it takes more pieces, or rounding leaves too few digits of a rate):
+ *   nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* omega_peak,
                                               double* omega_time, double* alpha_peak, double* alpha_time);
 
@@ -1117,7 +1126,7 @@ QTRAJ_API qtraj_status qtraj_rate_mismatch(const qtraj_trajectory* trajectory, d
  * @param trajectory  the curve
  * @param energy      receives the integral, rad^2/s^3
  * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_NOT_FINITE (the integral overflows),
- * QTRAJ_E_NO_CONVERGENCE (nothing is proven, as of peaks): nothing is written */
+ *   QTRAJ_E_NO_CONVERGENCE (nothing is proven, as of peaks): nothing is written */
 QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, double* energy);
 
 /** Integral of |omega|: the whole way that the curve turns, not the angle between its ends.
@@ -2168,7 +2177,7 @@ QTRAJ_API qtraj_status qtraj_keyframe_errors(const double* key_times, const doub
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC, and the last point, at bad_index, has a y off the first by more than 1e-6 of the
  *     largest; all rows are NaN;
  *   - QTRAJ_E_NOT_FINITE (or a value overflows), QTRAJ_E_TIME_RANGE (outside x by more than 4 ulps of the larger end):
- * a query; its row is NaN, all others are right */
+ *     a query; its row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start,
                                           int32_t end, const double* queries, size_t query_count, double* y_out,
                                           size_t* bad_index);
