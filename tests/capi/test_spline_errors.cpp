@@ -154,8 +154,7 @@ TEST_CASE("C API: queries outside or not finite are NaN rows, all others right",
   const std::vector<double> expected = good_rows();
   double signalling;
   capi::set_signalling_nan(signalling);
-  const double faults[] = {kNaN,    kInfinity, -kInfinity, signalling, -1e-14, 4.0 + 1e-14,
-                           DBL_MAX, -DBL_MAX};
+  const double faults[] = {kNaN, kInfinity, -kInfinity, signalling, -1e-14, 4.0 + 1e-14, DBL_MAX, -DBL_MAX};
   for (const double& fault : faults)
     for (const size_t row : {size_t{0}, size_t{3}, size_t{5}}) {
       CAPTURE(&fault - faults, row);
