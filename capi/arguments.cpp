@@ -54,8 +54,6 @@ bool array_bytes(size_t count, size_t element_bytes, size_t& bytes) {
   return true;
 }
 
-bool is_aligned(const void* memory) { return reinterpret_cast<uintptr_t>(memory) % 8 == 0; }
-
 void* allocate(size_t bytes) {
   const int saved = errno;
   void* memory = std::malloc(bytes);
