@@ -95,7 +95,7 @@ bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, con
   return capi::overlap(memory, {input.times, input.count * sizeof(double)}) ||
          capi::overlap(memory, {input.q_wb.data, 4 * input.count * request.element_bytes()}) ||
          capi::overlap(memory, {input.omega.data, row_of_3}) || capi::overlap(memory, {input.alpha.data, row_of_3}) ||
-         capi::overlap(memory, {input.turns, input.count * sizeof(int32_t)}) ||
+         capi::overlap(memory, {input.turns, (options->core.key_count(input.count) - 1) * sizeof(int32_t)}) ||
          capi::overlap(memory, {options, sizeof *options});
 }
 

@@ -58,7 +58,8 @@ qtraj_status qtraj_curve_peak_rates(const qtraj_trajectory* trajectory, double* 
 }
 
 qtraj_status qtraj_rate_bounds(const qtraj_trajectory* trajectory, double* omega, double* alpha) {
-  if (!trajectory || (!omega && !alpha)) return QTRAJ_E_NULL;
+  const Status handle = omega || alpha ? capi::check_handle(trajectory) : Status::null;
+  if (handle != Status::ok) return to_c(handle);
   Peak of_omega = {}, of_alpha = {};
   Outcome outcome;
   if (omega) outcome = peak_omega(trajectory->core, of_omega);

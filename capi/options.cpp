@@ -67,6 +67,7 @@ qtraj_status qtraj_options_set_tangents(qtraj_options* options, int32_t rule) {
 }
 
 qtraj_status qtraj_options_set_reference(qtraj_options* options, int32_t rule, const double* q_wb) {
+  if (static_cast<Reference>(rule) == Reference::given && !q_wb) return QTRAJ_E_NULL;
   return set(options, [&](Options& core) { return core.set_reference(static_cast<Reference>(rule), q_wb); });
 }
 

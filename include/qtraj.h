@@ -414,9 +414,11 @@ QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, i
  * LOG_SPLINE and QUATERNION_QUINTIC. AS_GIVEN: 0, or -1, the other way round, where the dot product of the keys is
  * negative; a step that a period adds is the shorter turn. FROM_RATES: the nearest to h times the mean of the two
  * rates (and h^2/12 times the difference of the accelerations), along the axis of the step. GIVEN: the numbers that
- * qtraj_create_with_turns() or qtraj_init() gets. A step that makes whole turns and ends where it began, to 16 eps, has
- * its axis from the rates; without rates it is QTRAJ_E_AMBIGUOUS with the index of its last key. Samples are
- * continuous: a key that is reached by an odd number of turns has its sign changed.
+ * qtraj_create_with_turns() or qtraj_init() gets. A step that makes whole turns and ends where it began, to 16 eps of
+ * the keys' type, has its axis from the rates, and ends within that of its key; without rates it is QTRAJ_E_AMBIGUOUS
+ * with the index of its last key. So is, by FROM_RATES, a step that ends within 1e-6 rad of where it began while its
+ * rates make more than half a turn about another axis than its own. Samples are continuous: a key that is reached by an
+ * odd number of turns has its sign changed.
  *
  * @param options  changed
  * @param rule     a qtraj_turns_value
@@ -431,7 +433,8 @@ QTRAJ_API qtraj_status qtraj_options_set_turns(qtraj_options* options, int32_t r
  * period unset.
  *
  * @param options  changed
- * @param period   s, more than from the first key to the last, which the constructors check; 0: no key is added
+ * @param period   s, more than from the first key to the last, which the constructors check (QTRAJ_E_TIME_ORDER, or
+ *                 QTRAJ_E_TIME_SPAN where it overflows, with the index of the last key); 0: no key is added
  * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (below 0 or not finite) */
 QTRAJ_API qtraj_status qtraj_options_set_period(qtraj_options* options, double period);
 
@@ -461,8 +464,8 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
 
 /** @defgroup qtraj-construction Construction
  * Keys are copied, normalised and made sign-continuous: each gets the sign that is nearer to the key before it; at
- * equal distance it keeps its own, as the first does. Steps of more than half a turn are a setting of their own,
- * qtraj_options_set_turns(). Any trajectory can be sampled in double and in float.
+ * equal distance it keeps its own, as the first does. Steps of more than half a turn, and signs by them, are a setting
+ * of their own, qtraj_options_set_turns(). Any trajectory can be sampled in double and in float.
  * @{ */
 
 /** Builds a trajectory through keys, with the default settings of a method.
@@ -560,8 +563,8 @@ QTRAJ_API qtraj_status qtraj_create_with_options_f32(const qtraj_options* option
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_INPUT_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a method or
- *     setting that does not use them;
+ *   - QTRAJ_E_INPUT_MISSING: alpha, turns, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a
+ *     method or setting that does not use them;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
@@ -587,8 +590,8 @@ QTRAJ_API qtraj_status qtraj_create_with_rates(const qtraj_options* options, int
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_NO_MEMORY;
- *   - QTRAJ_E_INPUT_MISSING: alpha, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a method or
- *     setting that does not use them;
+ *   - QTRAJ_E_INPUT_MISSING: alpha, turns, or the rate of a GIVEN end; QTRAJ_E_INPUT_UNWANTED: omega or alpha for a
+ *     method or setting that does not use them;
  *   - QTRAJ_E_RATE_TOO_FAST: the rate, or acceleration, of the key at bad_index, for an interval beside it;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
  *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
@@ -790,7 +793,8 @@ QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, in
 /** Samples orientations, angular velocities and accelerations at many times in float: twin of qtraj_sample_rates().
  *
  * Computes in single precision, in double where the curve needs it; the place of a time between the knots is double.
- * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one, unless
+ * the curve repeats.
  *
  * @param trajectory  the curve, of double or float keys; not NULL, also where count is 0
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
@@ -827,7 +831,7 @@ QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_SETTING (any other method), QTRAJ_E_OVERLAP (of any two
  *     arrays): nothing is written;
  *   - QTRAJ_E_NOT_FINITE (a time, or a derivative that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
- *     EXTRAPOLATE_ERROR): that row is NaN in every output, all others are right */
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
 QTRAJ_API qtraj_status qtraj_sample_unnormalized(const qtraj_trajectory* trajectory, const double* times, size_t count,
                                                  double* p_out, double* dp_out, double* ddp_out, size_t* bad_index);
 
@@ -929,7 +933,8 @@ QTRAJ_API qtraj_status qtraj_sample_at_f32(const qtraj_trajectory* trajectory, d
 
 /** Samples orientation, angular velocity and angular acceleration at one time, for control loops.
  *
- * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ * A rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one, unless
+ * the curve repeats.
  *
  * @param trajectory  the curve
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
@@ -949,7 +954,8 @@ QTRAJ_API qtraj_status qtraj_sample_rates_at(const qtraj_trajectory* trajectory,
 /** Samples orientation, angular velocity and acceleration at one time in float: twin of qtraj_sample_rates_at().
  *
  * Computes in single precision, in double where the curve needs it; the place of time between the knots is double. A
- * rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one.
+ * rate that jumps at a knot has its right-hand value there, at the last knot its left-hand one, unless
+ * the curve repeats.
  *
  * @param trajectory  the curve, of double or float keys
  * @param frame       a qtraj_frame_value, of omega_out and alpha_out
@@ -1011,7 +1017,8 @@ QTRAJ_API size_t qtraj_sign_flips(const qtraj_trajectory* trajectory);
  * @return the largest | |q| - 1 |; NaN for NULL */
 QTRAJ_API double qtraj_worst_norm_error(const qtraj_trajectory* trajectory);
 
-/** Smallest dot product of neighbouring keys, as used: the cosine of half the largest step.
+/** Smallest dot product of neighbouring keys, whatever their signs: the cosine of half the
+ * largest step, each taken as the shorter turn.
  *
  * Near 0 a step is close to a half turn, and its direction a matter of rounding.
  *
@@ -1033,7 +1040,7 @@ QTRAJ_API int32_t qtraj_iterations(const qtraj_trajectory* trajectory);
  *   h the length of a segment; 0 for all other methods, NaN for NULL */
 QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
 
-/** Copies the knots and keys as the curve uses them: normalised and sign-continuous.
+/** Copies the knots and keys as the curve uses them: normalised, of the signs that samples have there.
  *
  * @param trajectory  the curve
  * @param times_out   [key_count], s; may be NULL
@@ -1135,7 +1142,8 @@ QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, do
  *
  * @param trajectory  the curve
  * @param angle       receives the integral, rad
- * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_NO_CONVERGENCE (nothing is proven, as of peaks): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_NO_CONVERGENCE (nothing is proven, as of peaks): nothing
+ *   is written */
 QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle);
 
 /** @} */

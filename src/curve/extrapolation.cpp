@@ -70,7 +70,7 @@ Place place_outside(const Trajectory& trajectory, double time) {
   // next to a knot it counts as that knot; the last one of a curve that repeats is the first of the next round
   if (is_before ? time >= side.reach : time <= side.reach) {
     if (is_before || !repeats) return {side.knot, false, nullptr};
-    time = side.knot;
+    return {trajectory.before.knot, trajectory.negate_on_wrap, nullptr};
   }
   if (!repeats) return {time, false, &side};
   const WrappedTime wrapped = wrap_time(trajectory, time);

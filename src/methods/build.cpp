@@ -55,7 +55,9 @@ void set_reach(Trajectory& trajectory) {
 
 void set_period(const Options& options, Trajectory& trajectory) {
   const double first = trajectory.before.knot, last = trajectory.after.knot;
-  trajectory.last_inside = options.wraps() ? std::nextafter(last, first) : last;
+  // before 0 a normal number: a subnormal one is 0 where a processor was told so
+  const double before_last = last == 0 ? -DBL_MIN : std::nextafter(last, first);
+  trajectory.last_inside = options.wraps() ? before_last : last;
   trajectory.half_period =
       options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);
 }
@@ -66,9 +68,11 @@ double longest_interval(const Keyframes& keys) {
   return longest;
 }
 
-// The index of a key as the caller counts it: a key that was added to close the curve has the rates of the first.
-size_t input_index(const KeyframeInput& input, size_t key) {
-  return key == kNoIndex ? kNoIndex : input.row_of_key(key);
+// The outcome of a builder with the index of a key as the caller counts it. A key that was added to close the curve has
+// the rates of the first; all else about it is a matter of the last key before it.
+Outcome in_input(const KeyframeInput& input, const Outcome& outcome) {
+  if (outcome.index == kNoIndex || outcome.index < input.count) return outcome;
+  return {outcome.status, outcome.status == Status::rate_too_fast ? 0 : input.count - 1};
 }
 
 }  // namespace
@@ -120,7 +124,8 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   if (outcome.status == Status::ok && options.period > 0)
     outcome = add_closing_key(input, options.period, keys, report);
   if (outcome.status != Status::ok) return outcome;
-  if (options.closed() || options.wraps()) outcome = close_keyframes(keys, options.closure);
+  if (options.closed() || options.wraps())
+    outcome = close_keyframes(options.closure, options.turns == Turns::as_given, keys, report);
   if (outcome.status != Status::ok) return outcome;
   build_guide(keys.times, count, at_offset<uint64_t>(handle, trajectory->guide_offset), trajectory->guide_scale,
               trajectory->guide_candidates);
@@ -132,7 +137,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
                                at_offset<double>(workspace, count * kKeyBytes),
                                at_offset<char>(handle, trajectory->segments_offset)};
   outcome = row.build(construction);
-  if (outcome.status != Status::ok) return {outcome.status, input_index(input, outcome.index)};
+  if (outcome.status != Status::ok) return in_input(input, outcome);
 
   trajectory->range = construction.range;
   trajectory->iterations = construction.iterations;

@@ -49,6 +49,13 @@ void continue_sign(size_t key, bool keeps_signs, Keyframes& keys, KeyframeReport
   report.least_dot = std::min(report.least_dot, neighbours);
 }
 
+// The same for a closing key, whose sign is not the caller's and no flip.
+void continue_closing_sign(size_t key, bool keeps_signs, Keyframes& keys, KeyframeReport& report) {
+  KeyframeReport of_closing;
+  continue_sign(key, keeps_signs, keys, of_closing);
+  report.least_dot = std::min(report.least_dot, of_closing.least_dot);
+}
+
 }  // namespace
 
 void Keyframes::set(size_t key, const UnitQuaternion& unit) {
@@ -87,18 +94,17 @@ Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& ke
   const Status status = check_knot(keys.times, last);
   if (status != Status::ok) return {status, input.count - 1};
   keys.set(last, keys[0]);
-  KeyframeReport of_closing;  // its sign is no fault of the caller's
-  continue_sign(last, false, keys, of_closing);
-  report.least_dot = std::min(report.least_dot, of_closing.least_dot);
+  continue_closing_sign(last, false, keys, report);
   return {};
 }
 
-Outcome close_keyframes(Keyframes& keys, double closure) {
+Outcome close_keyframes(double closure, bool keeps_signs, Keyframes& keys, KeyframeReport& report) {
   const size_t last = keys.count - 1;
   UnitQuaternion first_key = keys[0];
   if (dot(first_key.value, keys[last].value) < 0) first_key = negate(first_key);
   if (2.0 * relative_rotation(first_key, keys[last]).angle > closure) return {Status::not_closed, last};
   keys.set(last, first_key);
+  continue_closing_sign(last, keeps_signs, keys, report);
   return {};
 }
 

@@ -54,7 +54,8 @@ size_t count_sign_flips(const KeyframeInput& input, const Keyframes& keys);
 // where the period ends before it, time_span where it overflows.
 Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& keys, KeyframeReport& report);
 
-// Makes the last key +- the first, sign kept; not_closed where they are more than `closure` rad apart as orientations.
-Outcome close_keyframes(Keyframes& keys, double closure);
+// Makes the last key +- the first, of the sign that continues the key before it, or, where signs are kept, its own;
+// not_closed where they are more than `closure` rad apart as orientations.
+Outcome close_keyframes(double closure, bool keeps_signs, Keyframes& keys, KeyframeReport& report);
 
 }  // namespace qtraj

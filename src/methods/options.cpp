@@ -75,7 +75,6 @@ Status Options::set_tangents(Tangent rule) {
 }
 
 Status Options::set_reference(Reference rule, const double* q_wb) {
-  if (rule == Reference::given && !q_wb) return Status::null;
   if (!is_known(rule) || (rule != Reference::given && q_wb)) return Status::value;
   if (!find_method(method)->has_reference) return Status::setting;
   if (rule == Reference::given) {

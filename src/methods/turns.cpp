@@ -62,6 +62,16 @@ double turns_by_rule(const Construction& construction, size_t segment, const Ste
   }
 }
 
+// Whether the step hardly turns, about an axis that is mostly noise, while the rates turn by more than half a turn
+// about another: no branch about the step's axis is what they say.
+bool contradicts(const StepRates* rates, const ShortestStep& step) {
+  constexpr double kHardly = 1e-6;
+  if (!rates || !step.has_axis || step.angle > kHardly) return false;
+  const Vector3 turn = rates->turn();
+  if (!(largest_component(turn) < 0x1p50)) return false;
+  return length(Vector3(turn - dot(turn, step.axis) * step.axis)) > kPi;
+}
+
 bool is_odd(double turns) { return std::fmod(turns, 2.0) != 0; }
 
 }  // namespace
@@ -71,6 +81,8 @@ Outcome take_step(Construction& construction, size_t segment, const StepRates* r
   Vector3 axis = shortest.axis;
   const bool has_axis = shortest.has_axis || axis_from_rates(rates, axis);
   const double turns = turns_by_rule(construction, segment, rates, shortest, axis);
+  if (construction.options.turns == Turns::from_rates && contradicts(rates, shortest))
+    return {Status::ambiguous, segment + 1};
   step.has_turns = turns != 0;
   step.log = shortest.log;
   if (step.has_turns) {

@@ -182,6 +182,73 @@ TEST_CASE("C API: periods that are none, too short or too long", "[capi][period]
   CHECK(qtraj_key_count(build(options.get(), open).trajectory.get()) == 5);
 }
 
+TEST_CASE("C API: the last knot of a period is the first, also where their times are rounded", "[capi][period]") {
+  test::Random random(8);
+  for (int run = 0; run < 300; ++run) {
+    const double first = run % 3 == 0 ? 1e9 + random.uniform(0, 1) : random.uniform(0.1, 100);
+    const double period = random.uniform(0.7, 14);
+    const Keyframes<double> keys = {{first, first + 0.2 * period, first + 0.5 * period},
+                                    {1, 0, 0, 0, 0.8, 0.6, 0, 0, 0.6, 0, 0.8, 0}};
+    const Options options = repeating({"", QTRAJ_SLERP});
+    REQUIRE(qtraj_options_set_period(options.get(), period) == QTRAJ_OK);
+    REQUIRE(qtraj_options_set_longest_gap(options.get(), 0.4 * period) == QTRAJ_OK);
+    const Trajectory curve = must_build(options.get(), keys);
+    const double last = qtraj_end_time(curve.get());
+    const Sample start = sample_of(curve.get(), first);
+    CAPTURE(first, period);
+    for (const double end : {last, std::nextafter(last, DBL_MAX)}) {
+      const Sample at_end = sample_of(curve.get(), end);
+      CHECK(at_end.status == QTRAJ_OK);
+      CHECK(difference(at_end.omega, start.omega, 3) == 0);
+    }
+  }
+}
+
+TEST_CASE("C API: what is wrong with a key that a period adds is said of the last key before it",
+          "[capi][period][errors]") {
+  // wound round: the spline of logs does not come back by the way it went
+  Keyframes<double> keys;
+  for (int i = 0; i < 4; ++i) {
+    const double half = 0.8 * i;
+    keys.times.push_back(i);
+    for (const double component : {std::cos(half), std::sin(half), 0.0, 0.0}) keys.q.push_back(component);
+  }
+  const Options log = make_options({"", QTRAJ_LOG_SPLINE, QTRAJ_END_PERIODIC});
+  REQUIRE(qtraj_options_set_period(log.get(), 4) == QTRAJ_OK);
+  const Built wound = build(log.get(), keys);
+  CHECK(wound.status == QTRAJ_E_NOT_CLOSED);
+  CHECK(wound.bad_index == 3);
+
+  const Options turning = make_options({"", QTRAJ_SLERP});
+  REQUIRE(qtraj_options_set_turns(turning.get(), QTRAJ_TURNS_GIVEN) == QTRAJ_OK);
+  REQUIRE(qtraj_options_set_period(turning.get(), 3) == QTRAJ_OK);
+  const Keyframes<double> still = {{0, 1}, {1, 0, 0, 0, 1, 0, 0, 0}};
+  const int32_t turns[2] = {0, 1};
+  qtraj_trajectory* out = nullptr;
+  size_t bad = 7;
+  CHECK(qtraj_create_with_turns(turning.get(), 0, still.times.data(), still.q.data(), nullptr, nullptr, turns, 2, &out,
+                                &bad) == QTRAJ_E_AMBIGUOUS);
+  CHECK(bad == 1);
+}
+
+TEST_CASE("C API: a closing key that is moved far keeps the shorter step and is in least_dot", "[capi][closure]") {
+  Keyframes<double> keys;
+  for (const double degrees : {0.0, 40.0, 80.0, 95.0}) {
+    const double half = degrees * 3.14159265358979 / 180;
+    keys.times.push_back(degrees);
+    for (const double component : {std::cos(half), std::sin(half), 0.0, 0.0}) keys.q.push_back(component);
+  }
+  const Options options = repeating({"", QTRAJ_SLERP});
+  REQUIRE(qtraj_options_set_closure(options.get(), 3.14) == QTRAJ_OK);
+  const Trajectory curve = must_build(options.get(), keys);
+  double q[16];
+  REQUIRE(qtraj_keys(curve.get(), nullptr, q) == QTRAJ_OK);
+  double last_dot = 0;
+  for (int k = 0; k < 4; ++k) last_dot += q[8 + k] * q[12 + k];
+  CHECK(last_dot > 0);
+  CHECK(std::abs(qtraj_least_dot(curve.get()) - last_dot) <= 1e-15);
+}
+
 TEST_CASE("C API: a given rate too fast for the closing interval names the first key", "[capi][period][errors]") {
   const Options options = make_options({"", QTRAJ_HERMITE});
   REQUIRE(qtraj_options_set_period(options.get(), 1e200) == QTRAJ_OK);
@@ -351,7 +418,9 @@ TEST_CASE("C API: uniform_count counts the samples within the knots", "[capi][gr
   CHECK(count_of(0.05, 0.1) == 6);
   CHECK(count_of(0, 0.7) == 1);
   CHECK(count_of(0.6, 0.1) == 1);
-  CHECK(count_of(0, 5e-324) == 0);  // SIZE
+  CHECK(count_of(0, 5e-324) == 0);   // SIZE
+  CHECK(count_of(0.6, 1e-30) == 0);  // SIZE: rounded times stay on the start
+  CHECK(count_of(0.6, 1e-17) > 40);
   size_t count = 7;
   CHECK(qtraj_uniform_count(curve.get(), 0, 0, &count) == QTRAJ_E_VALUE);
   CHECK(qtraj_uniform_count(curve.get(), -1, 0.1, &count) == QTRAJ_E_TIME_RANGE);
@@ -362,6 +431,13 @@ TEST_CASE("C API: uniform_count counts the samples within the knots", "[capi][gr
   CHECK(count == 0);
   CHECK(qtraj_uniform_count(curve.get(), 0, 1, nullptr) == QTRAJ_E_NULL);
   CHECK(qtraj_uniform_count(nullptr, 0, 1, &count) == QTRAJ_E_NULL);
+  // times that overflow are outside
+  const Keyframes<double> wide = {{-1e308, 0}, {1, 0, 0, 0, 0.8, 0.6, 0, 0}};
+  const Trajectory far = must_build(make_options({"", QTRAJ_SLERP}).get(), wide);
+  CHECK(qtraj_uniform_count(far.get(), -1e308, -1e308, &count) == QTRAJ_OK);
+  CHECK(count == 1);
+  CHECK(qtraj_uniform_count(far.get(), -1e308, 0.6e308, &count) == QTRAJ_OK);
+  CHECK(count == 2);
 }
 
 TEST_CASE("C API: as many samples as uniform_count says are within the knots, and no more", "[capi][grid]") {

@@ -97,6 +97,11 @@ void check_trajectory_calls(const qtraj_trajectory* handle, qtraj_status expecte
   CHECK(qtraj_curve_peak_rates(handle, q, q + 1, q + 2, q + 3) == expected);
   CHECK(qtraj_curve_energy(handle, q) == expected);
   CHECK(qtraj_curve_total_angle(handle, q) == expected);
+  CHECK(qtraj_rate_bounds(handle, q, q + 1) == expected);
+  CHECK(qtraj_rate_mismatch(handle, q, nullptr) == expected);
+  CHECK(qtraj_segment_times(handle, 2, times) == expected);
+  CHECK(qtraj_sample_unnormalized(handle, times, 1, q, nullptr, nullptr, nullptr) == expected);
+  CHECK(qtraj_uniform_count(handle, 0, 0.5, &bad) == expected);
 
   CHECK(qtraj_method(handle) == 0);
   CHECK(qtraj_key_count(handle) == 0);
@@ -119,9 +124,15 @@ void check_options_calls(qtraj_options* handle, qtraj_status expected) {
   CHECK(qtraj_options_set_tangents(handle, QTRAJ_TANGENT_DEFAULT) == expected);
   CHECK(qtraj_options_set_reference(handle, QTRAJ_REFERENCE_FIRST, nullptr) == expected);
   CHECK(qtraj_options_set_extrapolation(handle, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD) == expected);
+  CHECK(qtraj_options_set_turns(handle, QTRAJ_TURNS_DEFAULT) == expected);
+  CHECK(qtraj_options_set_period(handle, 2) == expected);
+  CHECK(qtraj_options_set_closure(handle, 0.1) == expected);
+  CHECK(qtraj_options_set_longest_gap(handle, 0.1) == expected);
   CHECK(qtraj_create_with_options(handle, kTimes, kKeys, 2, &out, &bad) == expected);
   CHECK(bad == SIZE_MAX);
   CHECK(qtraj_create_with_rates(handle, QTRAJ_FRAME_BODY, kTimes, kKeys, kKeys, nullptr, 2, &out, nullptr) == expected);
+  const int32_t turns[1] = {0};
+  CHECK(qtraj_create_with_turns(handle, 0, kTimes, kKeys, nullptr, nullptr, turns, 2, &out, nullptr) == expected);
   CHECK(qtraj_init_size(handle, 2, &bytes) == expected);
   CHECK(bytes == 7);
   CHECK(qtraj_init(memory, sizeof memory, handle, 0, kTimes, kKeys, nullptr, nullptr, nullptr, 2, &out, nullptr) ==
@@ -187,6 +198,8 @@ TEST_CASE("C API: a handle comes after NULL and before all else", "[capi][misuse
   CHECK(qtraj_create_with_options(wrong_options, nullptr, kKeys, 1, &out, nullptr) == QTRAJ_E_NULL);
   CHECK(qtraj_create_with_options(wrong_options, kTimes, kKeys, 1, &out, nullptr) == QTRAJ_E_HANDLE);
   CHECK(qtraj_init_size(wrong_options, 0, nullptr) == QTRAJ_E_NULL);
+  CHECK(qtraj_options_set_reference(reinterpret_cast<qtraj_options*>(memory), QTRAJ_REFERENCE_GIVEN, nullptr) ==
+        QTRAJ_E_NULL);
 }
 
 }  // namespace

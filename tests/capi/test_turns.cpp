@@ -279,6 +279,40 @@ TEST_CASE("C API: a whole turn that ends where it began needs an axis", "[capi][
   CHECK(bad == 2);
 }
 
+TEST_CASE("C API: a step that hardly turns, about another axis than its rates, is AMBIGUOUS", "[capi][turns][errors]") {
+  const Options options = make_options({"", QTRAJ_HERMITE});
+  for (const double noise : {1e-14, 1e-9, 4e-7}) {
+    const Keyframes<double> keys = {{0, 1, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 1, noise, 0, 0}};
+    const Rates<double> spin = {{0, 0, 2 * kPi, 0, 0, 2 * kPi, 0, 0, 2 * kPi}, {}},
+                        slow = {{0, 0, 2, 0, 0, 2, 0, 0, 2}, {}};
+    CAPTURE(noise);
+    const Built built = build(options.get(), keys, spin);
+    CHECK(built.status == QTRAJ_E_AMBIGUOUS);
+    CHECK(built.bad_index == 2);
+    CHECK(build(options.get(), keys, slow).status == QTRAJ_OK);
+    CHECK(build(with_turns(QTRAJ_HERMITE, QTRAJ_TURNS_SHORTEST).get(), keys, spin).status == QTRAJ_OK);
+  }
+  const Keyframes<double> keys = {{0, 1}, {1, 0, 0, 0, 1, 6e-7, 0, 0}};
+  CHECK(build(options.get(), keys, Rates<double>{{0, 0, 2 * kPi, 0, 0, 2 * kPi}, {}}).status == QTRAJ_OK);
+}
+
+TEST_CASE("C API: the memory of a trajectory may begin where its turns end", "[capi][turns]") {
+  const Keyframes<double> keys = {{0, 1, 2}, {1, 0, 0, 0, 0.8, 0.6, 0, 0, 1, 0, 0, 0}};
+  const Options options = with_turns(QTRAJ_SLERP, QTRAJ_TURNS_GIVEN);
+  size_t bytes = 0;
+  REQUIRE(qtraj_init_size(options.get(), 3, &bytes) == QTRAJ_OK);
+  std::vector<double> block(bytes / 8 + 1);
+  auto* turns = reinterpret_cast<int32_t*>(block.data());
+  turns[0] = turns[1] = 1;
+  qtraj_trajectory* out = nullptr;
+  const auto init_at = [&](void* memory) {
+    return qtraj_init(memory, bytes, options.get(), 0, keys.times.data(), keys.q.data(), nullptr, nullptr, turns, 3,
+                      &out, nullptr);
+  };
+  CHECK(init_at(block.data() + 1) == QTRAJ_OK);
+  CHECK(init_at(block.data()) == QTRAJ_E_OVERLAP);
+}
+
 TEST_CASE("C API: turns that are missing, or not wanted", "[capi][turns][errors]") {
   const Keyframes<double> keys = {{0, 1}, {1, 0, 0, 0, 0.8, 0.6, 0, 0}};
   const int32_t turns[1] = {1};

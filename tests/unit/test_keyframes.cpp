@@ -102,7 +102,7 @@ TEST_CASE("closing needs the last key within 1e-6 rad of plus or minus the first
       qtraj::KeyframeReport report;
       qtraj::Keyframes keys = storage.keys();
       REQUIRE(qtraj::clean_keyframes(input_of(given), false, keys, report).status == Status::ok);
-      const qtraj::Outcome outcome = qtraj::close_keyframes(keys, 1e-6);
+      const qtraj::Outcome outcome = qtraj::close_keyframes(1e-6, false, keys, report);
       CAPTURE(angle, sign);
       CHECK(outcome.status == (angle < 1e-6 ? Status::ok : Status::not_closed));
       CHECK(outcome.index == (angle < 1e-6 ? qtraj::kNoIndex : 3));
