@@ -15,8 +15,8 @@ namespace test {
 
 using Call = std::function<void()>;
 
-// A thread's stack above a guard page, and below that page memory of a neighbour. All of it but the page is painted
-// before each call, so that what was written shows.
+// A thread's stack above a guard page, and below that page memory of a neighbour. Both are painted, the stack before
+// each call, so that what was written shows.
 class PaintedStack {
  public:
   explicit PaintedStack(size_t bytes) : bytes_(bytes) {
@@ -25,6 +25,10 @@ class PaintedStack {
     REQUIRE(memory != MAP_FAILED);
     neighbour_ = static_cast<unsigned char*>(memory);
     REQUIRE(mprotect(neighbour_ + kNeighbour, kGuard, PROT_NONE) == 0);
+    std::memset(neighbour_, kPaint, kNeighbour);
+    const Call nothing = [] {};
+    touched(nothing);
+    idle_ = touched(nothing);
   }
   ~PaintedStack() { munmap(neighbour_, kNeighbour + kGuard + bytes_); }
   PaintedStack(const PaintedStack&) = delete;
@@ -34,7 +38,7 @@ class PaintedStack {
   // the first one of a function goes through the dynamic linker, which has a stack use of its own.
   size_t use_of(const Call& call) {
     call();
-    return touched(call) - touched([] {});
+    return touched(call) - idle_;
   }
 
   // Whether a call leaves the neighbour's memory alone. Where it meets the guard page, the process ends.
@@ -50,7 +54,6 @@ class PaintedStack {
   unsigned char* stack() const { return neighbour_ + kNeighbour + kGuard; }
 
   size_t touched(const Call& call) {
-    std::memset(neighbour_, kPaint, kNeighbour);
     std::memset(stack(), kPaint, bytes_);
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
@@ -69,6 +72,7 @@ class PaintedStack {
 
   const size_t bytes_;
   unsigned char* neighbour_;
+  size_t idle_;  // bytes that a thread touches that does nothing
 };
 
 }  // namespace test

@@ -35,8 +35,11 @@ struct NamedCall {
 struct Arrays {
   std::vector<double> times, scattered, sorted, q, vectors, fractions, out, second, third;
   std::vector<float> q_f32, out_f32, second_f32, third_f32, fractions_f32;
+  std::vector<int64_t> ns;
+  std::vector<int32_t> statuses;
+  std::vector<size_t> flips;
 
-  Arrays() : out(9 * kTimes), second(9 * kTimes), third(9 * kTimes) {
+  Arrays() : out(9 * kTimes), second(9 * kTimes), third(9 * kTimes), ns(kTimes), statuses(kTimes), flips(kTimes) {
     out_f32.resize(out.size()), second_f32.resize(out.size()), third_f32.resize(out.size());
     test::Random random(5);
     const test::Keys walk = test::random_walk(random, kKeys, 1.5, 0.2, 2.0);
@@ -72,6 +75,12 @@ void add_sampling(const test::KernelCurve& curve, Arrays& a, std::vector<NamedCa
   }
   calls.push_back({"many samples", curve.name + " uniform",
                    [=, &a] { qtraj_sample_uniform(t, a.times[0], 0.01, kTimes, a.out.data(), nullptr); }});
+  calls.push_back({"many samples", curve.name + " uniform of float",
+                   [=, &a] { qtraj_sample_uniform_f32(t, a.times[0], 0.01, kTimes, a.out_f32.data(), nullptr); }});
+  calls.push_back({"many samples", curve.name + " unnormalized", [=, &a] {
+                     qtraj_sample_unnormalized(t, a.scattered.data(), kTimes, a.out.data(), a.second.data(),
+                                               a.third.data(), nullptr);
+                   }});
   for (const double time : {a.times[3] + 0.01, a.times.front() - 1, a.times.back() + 1e5}) {
     calls.push_back({"one sample", curve.name, [=, &a] { qtraj_sample_at(t, time, nullptr, a.out.data()); }});
     calls.push_back(
@@ -94,7 +103,17 @@ void add_sampling(const test::KernelCurve& curve, Arrays& a, std::vector<NamedCa
   curve_call("total angle", [=, &a] { qtraj_curve_total_angle(t, &a.out[0]); });
   curve_call("jumps", [=, &a] { qtraj_curve_jumps(t, QTRAJ_FRAME_WORLD, a.out.data(), a.second.data()); });
   curve_call("least norm", [=, &a] { qtraj_curve_least_norm(t, &a.out[0], &a.out[1]); });
+  curve_call("rate bounds", [=, &a] { qtraj_rate_bounds(t, &a.out[0], &a.out[1]); });
+  curve_call("rate mismatch", [=, &a] {
+    size_t index;
+    qtraj_rate_mismatch(t, &a.out[0], &index);
+  });
   calls.push_back({"getters", curve.name, [=, &a] { qtraj_keys(t, a.out.data(), a.second.data()); }});
+  calls.push_back({"getters", curve.name + " times", [=, &a] { qtraj_segment_times(t, 5, a.out.data()); }});
+  calls.push_back({"getters", curve.name + " count", [=, &a] {
+                     size_t count;
+                     qtraj_uniform_count(t, a.times[0], 0.01, &count);
+                   }});
 }
 
 void add_construction(const Variant& variant, std::vector<NamedCall>& calls) {
@@ -124,6 +143,31 @@ void add_construction(const Variant& variant, std::vector<NamedCall>& calls) {
   for_double_and_float(add);
 }
 
+// The methods that take numbers of turns.
+void add_construction_with_turns(std::vector<NamedCall>& calls) {
+  for (const int32_t method : {QTRAJ_SLERP, QTRAJ_ROTATION_SPLINE, QTRAJ_HERMITE, QTRAJ_ROTATION_QUINTIC}) {
+    const Variant variant = {std::to_string(method) + " with turns", method};
+    struct Case {
+      Options options;
+      Keyframes<double> keys = closed_tour<double>(kKeys);
+      Rates<double> rates;
+      std::vector<int32_t> turns = std::vector<int32_t>(kKeys - 1);
+    };
+    const auto c = std::make_shared<Case>();
+    c->options = make_options(variant);
+    c->rates = rates_for<double>(variant, kKeys);
+    for (size_t i = 0; i < c->turns.size(); i += 50) c->turns[i] = 1;
+    REQUIRE(qtraj_options_set_turns(c->options.get(), QTRAJ_TURNS_GIVEN) == QTRAJ_OK);
+    calls.push_back({"constructors", variant.name, [=] {
+                       qtraj_trajectory* out = nullptr;
+                       qtraj_create_with_turns(c->options.get(), QTRAJ_FRAME_WORLD, c->keys.times.data(),
+                                               c->keys.q.data(), c->rates.omega_or_null(), c->rates.alpha_or_null(),
+                                               c->turns.data(), kKeys, &out, nullptr);
+                       qtraj_destroy(out);
+                     }});
+  }
+}
+
 void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
   const auto add = [&](const char* group, const char* name, const Call& call) { calls.push_back({group, name, call}); };
   const auto pairs = [&](const char* name, auto one, auto each, auto in, auto fractions, auto out) {
@@ -136,6 +180,16 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
         a.out_f32.data());
   pairs("nlerp of float", qtraj_nlerp_f32, qtraj_nlerp_pairs_f32, a.q_f32.data(), a.fractions_f32.data(),
         a.out_f32.data());
+  const auto between = [&](const char* name, auto function, auto in, auto out) {
+    add("pairs", name, [=, &a] {
+      function(in, &a.times[0], 1, in + 4, &a.times[1], 1, a.sorted.data(), kTimes, kTimes, QTRAJ_PATH_SHORTEST, out,
+               nullptr);
+    });
+  };
+  between("slerp_pairs_between", qtraj_slerp_pairs_between, a.q.data(), a.out.data());
+  between("nlerp_pairs_between", qtraj_nlerp_pairs_between, a.q.data(), a.out.data());
+  between("slerp_pairs_between of float", qtraj_slerp_pairs_between_f32, a.q_f32.data(), a.out_f32.data());
+  between("nlerp_pairs_between of float", qtraj_nlerp_pairs_between_f32, a.q_f32.data(), a.out_f32.data());
   add("pairs", "slerp_between", [&] {
     qtraj_slerp_between(&a.q[0], 0, &a.q[4], 5, a.sorted.data(), kTimes, QTRAJ_PATH_SHORTEST, a.out.data(), nullptr);
   });
@@ -160,7 +214,16 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
     size_t flips;
     qtraj_make_continuous_f32(a.q_f32.data(), 1, kTimes, a.out_f32.data(), &flips, nullptr);
   });
+  add("rows", "make_continuous_strided",
+      [&] { qtraj_make_continuous_strided(a.q.data(), 9, 1, kTimes / 9, 9, a.out.data(), a.flips.data(), nullptr); });
+  add("rows", "make_continuous_strided of float", [&] {
+    qtraj_make_continuous_strided_f32(a.q_f32.data(), 9, 1, kTimes / 9, 9, a.out_f32.data(), a.flips.data(), nullptr);
+  });
   add("rows", "wxyz_from_xyzw", [&] { qtraj_wxyz_from_xyzw(a.q.data(), kTimes, a.out.data()); });
+  add("rows", "wxyz_from_xyzw of float", [&] { qtraj_wxyz_from_xyzw_f32(a.q_f32.data(), kTimes, a.out_f32.data()); });
+  add("rows", "xyzw_from_wxyz", [&] { qtraj_xyzw_from_wxyz(a.q.data(), kTimes, a.out.data()); });
+  add("rows", "xyzw_from_wxyz of float", [&] { qtraj_xyzw_from_wxyz_f32(a.q_f32.data(), kTimes, a.out_f32.data()); });
+  add("rows", "seconds_from_ns", [&] { qtraj_seconds_from_ns(a.ns.data(), kTimes, 7, a.out.data()); });
   add("rows", "even_times", [&] { qtraj_even_times(0, 1, kTimes, a.out.data()); });
 
   // near each other, for a Karcher mean that converges, and all over, where a certificate is sought
@@ -215,6 +278,14 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
     qtraj_keyframe_errors(a.times.data(), a.q.data(), kKeys, a.times.data(), a.q.data(), kKeys, a.out.data(), nullptr,
                           nullptr);
   });
+  add("sample diagnostics", "check_keys", [&] {
+    qtraj_key_report report;
+    qtraj_check_keys(a.times.data(), a.q.data(), kKeys, a.statuses.data(), &report, nullptr);
+  });
+  add("sample diagnostics", "check_keys of float", [&] {
+    qtraj_key_report report;
+    qtraj_check_keys_f32(a.times.data(), a.q_f32.data(), kKeys, a.statuses.data(), &report, nullptr);
+  });
   add("cubic_spline", "", [&] {
     qtraj_cubic_spline(a.times.data(), a.q.data(), kKeys, 4, 0, 0, a.sorted.data(), kTimes, a.out.data(), nullptr);
   });
@@ -229,6 +300,7 @@ struct AllCalls {
     curves = test::kernel_curves(QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_CONSTANT_RATE);
     for (const test::KernelCurve& curve : curves) add_sampling(curve, arrays, calls);
     for (const Variant& variant : variants()) add_construction(variant, calls);
+    add_construction_with_turns(calls);
     add_rows(arrays, calls);
   }
 };
@@ -260,7 +332,6 @@ TEST_CASE("threads with the smallest stack there is run every function and leave
   test::PaintedStack stack(static_cast<size_t>(PTHREAD_STACK_MIN));
   test::for_every_kernel([&](const char*) {
     for (const NamedCall& call : all.calls) {
-      call.call();
       if (!stack.holds(call.call)) FAIL_CHECK(call.group << ", " << call.name);
     }
   });
