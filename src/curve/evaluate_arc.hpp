@@ -28,6 +28,8 @@ struct ArcEvaluator : EvaluatorDefaults {
   struct Partial {
     Number c, s;
   };
+  template <class Number, bool kWithRates>
+  using PartialOf = Partial<Number>;
 
   // |x| <= pi/4, because arcs between neighbouring keys are at most a quarter turn of S^3. Error 1.5 eps.
   template <class Mode, class Number>

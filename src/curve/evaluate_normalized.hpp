@@ -27,6 +27,8 @@ struct NormalizedEvaluator : EvaluatorDefaults {
   struct Partial {
     Number p[4], norm_squared;
   };
+  template <class Number, bool kWithRates>
+  using PartialOf = Partial<Number>;
 
   template <class Mode, class Number>
   QTRAJ_INLINE void start(const SegmentOf<Number>& segment, Number x, Partial<Number>& partial) const {

@@ -25,6 +25,8 @@ class RotationVectorEvaluator : public EvaluatorDefaults {
     Number p[3];
     CosSinc<Number> of_unit;  // of |p|; not set with rates
   };
+  template <class Number, bool kWithRates>
+  using PartialOf = Partial<Number>;
 
   template <class Mode, class Number>
   QTRAJ_INLINE void start(const SegmentOf<Number>& segment, Number x, Partial<Number>& partial) const {
@@ -76,6 +78,8 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   struct Partial {
     Number p[3];
   };
+  template <class Number, bool kWithRates>
+  using PartialOf = Partial<Number>;
 
   template <class Mode, class Number>
   QTRAJ_INLINE void start(const SegmentOf<Number>& segment, Number x, Partial<Number>& partial) const {

@@ -4,7 +4,7 @@
 //   scale(segment), offset(segment)
 //                              the parameter is x = (t - t_i) scale - offset; rates per unit of x, times scale, are
 //                              rates in time
-//   Partial<Number>            the partial result that start hands to finish
+//   PartialOf<Number, kRates>  the partial result that start hands to finish, or to finish_rates
 //   start<Mode>(segment, x, partial)
 //                              the first step
 //   finish<Mode>(segment, x, partial, q)

@@ -73,8 +73,8 @@ QTRAJ_INLINE Jet<Number> angle_over_sine(Number d) {
 // p = f H v, the half-angle vector from P to q, with its derivatives in s; f = (1 - s^2)/2. The second one is set where
 // alpha is wanted.
 template <class Arithmetic, bool kNear, bool kWantsAlpha, class Number>
-QTRAJ_NOINLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
-                                 const Number& s, HalfAngleJet<Number>& jet) {
+QTRAJ_INLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs, const Number& s,
+                               HalfAngleJet<Number>& jet) {
   using Real = Element<Number>;
   const Number half = Number(Real(0.5)), two = Number(Real(2));
   const auto& m = segment.keys.m;
@@ -101,15 +101,12 @@ QTRAJ_NOINLINE void exponent_jet(const NestedArcsSegmentOf<Number>& segment, con
 // q = P exp(p), p = f H v, v = Im(P* C), H = theta/sin theta. The body rate of q is that of exp p plus the constant
 // rate of P, seen in the frame after exp p. v is a sum of four constant vectors times products of the arcs' sines and
 // cosines; differentiating the weights of slerp instead would cancel on short arcs.
-template <class Arithmetic, bool kNear, class Number>
+template <class Arithmetic, bool kNear, bool kWantsAlpha, class Number>
 QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
-                                    const Number& s, bool wants_alpha, Rates<Number>& rates) {
+                                    const Number& s, Rates<Number>& rates) {
   HalfAngleJet<Number> jet;
-  if (wants_alpha)
-    exponent_jet<Arithmetic, kNear, true>(segment, arcs, s, jet);
-  else
-    exponent_jet<Arithmetic, kNear, false>(segment, arcs, s, jet);
-  exponential_rates<Arithmetic>(jet, wants_alpha, rates);
+  exponent_jet<Arithmetic, kNear, kWantsAlpha>(segment, arcs, s, jet);
+  exponential_rates<Arithmetic>(jet, kWantsAlpha, rates);
 
   // the outer arc's rate in the frame after exp p: rotated by exp(-p)
   Number carried[3];
@@ -119,7 +116,7 @@ QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, 
   cos_sinc<Arithmetic>(dot_product<Arithmetic>(jet.p, jet.p), 0, f);
   const Number inverse[4] = {f.c, -f.k * jet.p[0], -f.k * jet.p[1], -f.k * jet.p[2]};
   rotate_to_world<Arithmetic>(inverse, carried);
-  if (wants_alpha) {
+  if constexpr (kWantsAlpha) {
     Number turning[3];
     cross_product<Arithmetic>(rates.omega, carried, turning);
     for (size_t k = 0; k < 3; ++k) rates.alpha[k] = rates.alpha[k] - turning[k];
@@ -129,21 +126,22 @@ QTRAJ_INLINE void nested_arcs_rates(const NestedArcsSegmentOf<Number>& segment, 
 
 // The orientation at cosines and sines of both arcs.
 template <class Arithmetic, bool kNear, class Number>
-QTRAJ_NOINLINE void nested_arcs_orientation(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
-                                            const Number& s, Number (&q)[4]) {
+QTRAJ_INLINE void nested_arcs_orientation(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                                          const Number& s, Number (&q)[4]) {
   PointPair<Number> points;
   points_at<Arithmetic, kNear>(segment, arcs, points);
   between_points<Arithmetic, kNear>(points, s, q);
 }
 
-// Orientation and rates. In pieces that are not inlined: together they would need ten times the stack.
+// Orientation and rates.
 template <class Arithmetic, bool kNear, class Number>
-QTRAJ_NOINLINE void nested_arcs_motion(const NestedArcsSegmentOf<Number>& segment, const Number& s, bool wants_alpha,
-                                       Number (&q)[4], Rates<Number>& rates) {
-  ArcPair<Number> arcs;
-  arc_pair<Arithmetic, kNear>(segment, s, arcs);
+QTRAJ_INLINE void nested_arcs_motion(const NestedArcsSegmentOf<Number>& segment, const ArcPair<Number>& arcs,
+                                     const Number& s, bool wants_alpha, Number (&q)[4], Rates<Number>& rates) {
   nested_arcs_orientation<Arithmetic, kNear>(segment, arcs, s, q);
-  nested_arcs_rates<Arithmetic, kNear>(segment, arcs, s, wants_alpha, rates);
+  if (wants_alpha)
+    nested_arcs_rates<Arithmetic, kNear, true>(segment, arcs, s, rates);
+  else
+    nested_arcs_rates<Arithmetic, kNear, false>(segment, arcs, s, rates);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ class Batch {
   using Segment = typename Evaluator::template SegmentOf<double>;
   using WideSegment = typename Evaluator::template SegmentOf<Wide<Real>>;
   using Number = Wide<Real>;
-  using Partial = typename Evaluator::template Partial<Number>;
+  using Partial = typename Evaluator::template PartialOf<Number, kWithRates>;
   using Time = Wide<double>;
   static constexpr size_t kChunk = Evaluator::kChunk, kSearched = Evaluator::kSearched;
   static constexpr size_t kLanes = Number::kLanes, kTimeLanes = Time::kLanes;

@@ -102,7 +102,7 @@ QTRAJ_NOINLINE Status evaluate_row(const Trajectory& trajectory, size_t segment,
   ();
 
   SampleRow<Real> row;
-  typename Evaluator::template Partial<Real> partial;
+  typename Evaluator::template PartialOf<Real, kWithRates> partial;
   evaluator.template start<Mode>(in_real, x, partial);
   if constexpr (kWithRates) {
     const RateRequest request = rate_request(outputs);

@@ -21,8 +21,8 @@ bool has_digits(const NormalizedSegment<Degree>& segment,
   return partial.norm_squared > 0x1p-60 * squares;
 }
 // The cosine of half the angle between the arcs' points comes from a sum that is right to an eps.
-bool has_digits(const NestedArcsSegment& segment, const NestedArcsEvaluator<Plain>::Partial<double>& partial) {
-  return segment.near > 0.5 || partial.points.closeness > 0x1p-60;
+bool has_digits(const NestedArcsSegment& segment, const PointPair<double>& points) {
+  return segment.near > 0.5 || points.closeness > 0x1p-60;
 }
 
 // ---- The parameter of an evaluator, x = s times this
@@ -39,7 +39,8 @@ bool evaluate(const Evaluator& evaluator, const typename Evaluator::template Seg
   using Mode = SampleMode<true, true>;
   const double range = range_of_parameter(segment), x = s * range;
   // what is looked at for digits belongs to the value
-  typename Evaluator::template Partial<double> of_value, partial;
+  typename Evaluator::template PartialOf<double, false> of_value;
+  typename Evaluator::template PartialOf<double, true> partial;
   evaluator.template start<SampleMode<false, true>>(segment, x, of_value);
   if (!has_digits(segment, of_value)) return false;
   evaluator.template start<Mode>(segment, x, partial);

@@ -163,7 +163,7 @@ QTRAJ_INLINE RateWeights<Number> rate_weights(const RateFactors<Number>& f) {
 
 // Body rates of exp p for |p| <= pi/2.
 template <class Arithmetic, class Number>
-QTRAJ_NOINLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
+QTRAJ_INLINE void exponential_rates(const HalfAngleJet<Number>& jet, bool wants_alpha, Rates<Number>& rates) {
   RateFactors<Number> f;
   rate_factors<Arithmetic>(dot_product<Arithmetic>(jet.p, jet.p), 0, wants_alpha, f);
   weigh_rates<Arithmetic>(jet, jet.p, rate_weights<Arithmetic>(f), wants_alpha, rates);
