@@ -261,12 +261,11 @@ class Batch {
       Time low[kTransposed], high[kTransposed];
       load_transposed(records[0], from, low);
       load_transposed(records[1], from, high);
-      // the scale is not rounded: that could overflow
-      for (size_t k = next == 0 ? 1 : 0; k < kTransposed; ++k)
-        fields[from + k] = Doubles<Real>{{low[k], high[k]}}.rounded();
-      if (next > 0) continue;
-      first = {{low[0], high[0]}}, second = {{low[1], high[1]}};
-      fields[0] = Number(Real(0));
+      if (next == 0) {
+        first = {{low[0], high[0]}}, second = {{low[1], high[1]}};
+        low[0] = high[0] = Time(0.0);
+      }
+      for (size_t k = 0; k < kTransposed; ++k) fields[from + k] = Doubles<Real>{{low[k], high[k]}}.rounded();
     }
   }
 
