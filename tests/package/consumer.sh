@@ -51,6 +51,13 @@ case $1 in
     if needs slerp 'libqtraj|libstdc\+\+|libc\+\+'; then fail "needs a library it should not need"; fi
     ;;
 
+  preinit)
+    $CC -std=c99 -static "$here/preinit.c" -o preinit $(pkg-config --static --cflags --libs qtraj)
+    early=$(./preinit early)
+    late=$(./preinit)
+    [ "$early" = "$late" ] || fail "'$early' before constructors, '$late' after them"
+    ;;
+
   pkgconfig_version)
     cat >version.c <<'END'
 #include <qtraj.h>
