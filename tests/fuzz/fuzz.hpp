@@ -204,12 +204,12 @@ inline Array<double> query_times(Source& source, const Array<double>& knots, siz
 
 // ---- Calls ----
 
-// What all kernels, or those of one kind, must agree on. The sign of 0 is left out.
+// What all kernels, or those of one kind, must agree on.
 class Digest {
  public:
   template <class Number>
   void add(Number value) {
-    const double number = value == value ? static_cast<double>(value) + 0.0 : -1.0;
+    const double number = value == value ? static_cast<double>(value) : -1.0;
     unsigned char bytes[sizeof number];
     std::memcpy(bytes, &number, sizeof bytes);
     for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211u;
