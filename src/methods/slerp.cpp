@@ -7,6 +7,13 @@
 
 namespace qtraj {
 
+namespace {
+
+// Of arcs shorter than this the rate may be 0: half the least number, 2^-1075, times the longest interval, 2^1024.
+constexpr double kLeastArc = 0x1p-50;
+
+}  // namespace
+
 // SLERP: the great circle from key to key at constant rate (K. Shoemake, "Animating rotation with quaternion curves",
 // SIGGRAPH 1985, section 3.3).
 Outcome build_slerp(Construction& construction) {
@@ -17,6 +24,8 @@ Outcome build_slerp(Construction& construction) {
     const Arc arc = arc_between(difference(to, from), sum(from, to));
     segments[i].rate = 2.0 * arc.half_angle / keys.step(i);
     segments[i].half_angle = arc.half_angle;
+    // a rate below 2^-1022 is 0 where subnormal numbers are taken as 0, and the arc would not be travelled
+    if (segments[i].rate == 0 && arc.half_angle > kLeastArc) return {Status::time_span, i + 1};
     store(arc.m, segments[i].m);
     store(arc.e, segments[i].e);
   }
