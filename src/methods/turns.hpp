@@ -25,8 +25,8 @@ struct Step {
 // The step over a segment by the rule of the options; `rates` are null where the method has none. The last key gets the
 // sign in which the step ends. ambiguous, with the last key's index, where a step that makes whole turns ends where it
 // began, to 16 eps, and no rates tell an axis; and, by FROM_RATES, where it ends within 1e-6 rad of where it began, and
-// rates turn it by more than half a turn about another axis. A step without an axis of its own ends within 16 eps of its
-// last key.
+// rates turn it by more than half a turn about another axis. A step without an axis of its own ends within 16 eps of
+// its last key.
 Outcome take_step(Construction& construction, size_t segment, const StepRates* rates, Step& step);
 
 // Rotation vectors over a step: q = base exp(r/2), r from `start` to `end`, full angles.
