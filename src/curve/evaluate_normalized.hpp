@@ -61,10 +61,15 @@ struct NormalizedEvaluator : EvaluatorDefaults {
     const Number twice_inverse = select(is_zero, zero, two / select(is_zero, one, partial.norm_squared));
     for (Number& component : rates.omega) component = twice_inverse * component;
     if (!wants_alpha) return;
+    const Number norm_change = twice_inverse * dot_product<Arithmetic>(p, dp);  // N'/N
+    // p'' is +0: where alpha vanishes, the signs of its zeros are not those of the keys
+    if constexpr (Degree == 1) {
+      for (size_t k = 0; k < 3; ++k) rates.alpha[k] = Arithmetic::multiply_add(-norm_change, rates.omega[k], zero);
+      return;
+    }
     Number ddp[4], relative[3];
     second_derivative<Arithmetic>(segment.c, x, ddp);
     relative_vector_part<Arithmetic>(p, ddp, relative);
-    const Number norm_change = twice_inverse * dot_product<Arithmetic>(p, dp);  // N'/N
     for (size_t k = 0; k < 3; ++k)
       rates.alpha[k] = Arithmetic::multiply_add(-norm_change, rates.omega[k], twice_inverse * relative[k]);
   }
