@@ -418,8 +418,8 @@ TEST_CASE("C API: uniform_count counts the samples within the knots", "[capi][gr
   CHECK(count_of(0.05, 0.1) == 6);
   CHECK(count_of(0, 0.7) == 1);
   CHECK(count_of(0.6, 0.1) == 1);
-  CHECK(count_of(0, 5e-324) == 0);     // SIZE
-  CHECK(count_of(0.6, 1e-30) > 1e14);  // rounded times stay near the start for so long
+  CHECK(count_of(0, 5e-324) == 0);                 // SIZE
+  CHECK(count_of(0.6, 1e-30) > 100000000000000u);  // rounded times stay near the start for so long
   CHECK(count_of(0.6, 1e-17) > 40);
   size_t count = 7;
   CHECK(qtraj_uniform_count(curve.get(), 0, 0, &count) == QTRAJ_E_VALUE);
