@@ -4,7 +4,8 @@
  *
  * Animations come and go in float: `_f32` functions read and write it. Times stay double. The file has the keys of all
  * joints of a running fox, one joint after the other, as `joint,t,qx,qy,qz,qw`; every joint gets its own curve, and for
- * each frame the pose is the orientation of every joint relative to its parent. */
+ * each frame the pose is the orientation of every joint relative to its parent. SLERP is what the file asks for: its
+ * format calls that LINEAR. */
 #include <stdio.h>
 
 #include "lesson.h"
@@ -28,7 +29,6 @@ static qtraj_trajectory* create_joint(const struct keys* keys, size_t first, siz
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {1, 5, 2, 3, 4};
   qtraj_trajectory* joints[max_joints];
   float pose[max_joints][4];
   double q[4], off, largest = 0;
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s ANIMATION.csv\n", argv[0]);
     return 1;
   }
-  keys = read_keys(argv[1], columns);
+  keys = read_keys(argv[1], NULL);
   while (first < keys.count && count < max_joints) joints[count++] = create_joint(&keys, first, &first);
   if (count <= leg) return 1;
   printf("%lu joints, %lu keys\n", (unsigned long)count, (unsigned long)keys.count);

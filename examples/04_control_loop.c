@@ -1,10 +1,11 @@
 /* Lesson 4: one sample at a time, for a control loop, also before the first key and after the last one.
  *
- *   04_control_loop RECORDING.csv
+ *   04_control_loop RECORDING.csv [--conjugate]
  *
  * The loop starts before the first telemetry of a spinning spacecraft is there (HOLD: stay at the first key) and goes
  * on after contact is lost (CONSTANT_RATE: turn on with the last rate). Contact is lost after 60 of the keys here; the
- * others tell how good the prediction was. */
+ * others tell how good the prediction was. With a CHORD end the last rate is that of the last step, which noise harms
+ * less than that of a polynomial through four keys, the default. */
 #include <stdio.h>
 
 #include "lesson.h"
@@ -14,7 +15,8 @@ enum { keys_received = 60 };
 static qtraj_trajectory* create(const struct keys* keys) {
   qtraj_options* options;
   qtraj_trajectory* attitude;
-  must(qtraj_options_create(QTRAJ_SQUAD, &options), "options");
+  must(qtraj_options_create(QTRAJ_ROTATION_SPLINE, &options), "options");
+  must(qtraj_options_set_ends(options, QTRAJ_END_DEFAULT, QTRAJ_END_CHORD), "ends");
   must(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE), "options");
   must(qtraj_create_with_options(options, keys->times, keys->q[0], keys_received, &attitude, NULL), "create");
   qtraj_options_destroy(options);
@@ -27,7 +29,7 @@ static const char* phase(const qtraj_trajectory* attitude, double time) {
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4};
+  const int world_to_body = take_option(&argc, argv, "--conjugate");
   struct keys keys;
   qtraj_trajectory* attitude;
   size_t i, cursor = 0; /* remembers the segment; 0 to begin, one for each loop */
@@ -35,16 +37,12 @@ int main(int argc, char** argv) {
   double q[4];
 
   if (argc != 2) {
-    fprintf(stderr, "usage: %s RECORDING.csv\n", argv[0]);
+    fprintf(stderr, "usage: %s RECORDING.csv [--conjugate]\n", argv[0]);
     return 1;
   }
-  keys = read_keys(argv[1], columns);
+  keys = read_keys(argv[1], NULL);
   if (keys.count < keys_received) return 1;
-  for (i = 0; i < keys.count; ++i) { /* SPICE's convention, see lesson 1 */
-    keys.q[i][1] = -keys.q[i][1];
-    keys.q[i][2] = -keys.q[i][2];
-    keys.q[i][3] = -keys.q[i][3];
-  }
+  if (world_to_body) conjugate(&keys); /* see lesson 1 */
   attitude = create(&keys);
 
   /* 50 Hz; qtraj_sample_at neither allocates nor locks, and the cursor saves the search */
@@ -70,7 +68,7 @@ int main(int argc, char** argv) {
 
 /* Prints, in this folder:
  *
- *   $ ./04_control_loop data/juno_spinner.csv
+ *   $ ./04_control_loop data/juno_spinner.csv --conjugate
  *    -2.0 s before   0.6864  0.1312  0.7085  0.0985
  *     0.0 s on       0.6864  0.1312  0.7085  0.0985
  *    10.0 s on       0.2732  0.6732  0.2578  0.6370

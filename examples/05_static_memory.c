@@ -1,7 +1,8 @@
 /* Lesson 5: without a heap: options and trajectory in static memory.
  *
  * What create does with malloc, init does in memory of the caller, aligned to 8 bytes: nothing is allocated, here or in
- * any sampling function. Linked with libqtraj.a the program needs no C++ runtime either. */
+ * any sampling function. Linked with libqtraj.a the program needs no C++ runtime either. SQUAD, as these
+ * are waypoints far apart, and each moves only what is near it. */
 #include <stdio.h>
 
 #include "lesson.h"

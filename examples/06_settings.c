@@ -1,6 +1,6 @@
 /* Lesson 6: methods and their settings compared on a recording.
  *
- *   06_settings RECORDING.csv STEP
+ *   06_settings RECORDING.csv STEP [--conjugate]
  *
  * Only every STEP'th key is kept, each curve is drawn through those, and the keys left out tell how far it is off. The
  * recording has a line t,qw,qx,qy,qz,wx,wy,wz for each key, its rates measured in inertial ("world") axes. */
@@ -60,15 +60,9 @@ static void report(const char* name, const qtraj_trajectory* curve, const struct
   printf("%-28s %.3f  %.2f\n", name, sqrt(sum / (double)i), largest);
 }
 
-/* SPICE's convention, see lesson 1, and norm 1, so that angles can be measured. */
-static void conjugate_and_normalize(double q[4]) {
-  const double norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  int k;
-  for (k = 0; k < 4; ++k) q[k] /= k == 0 ? norm : -norm;
-}
-
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4}, rate_columns[5] = {0, 5, 6, 7, 7}; /* four numbers are read: one twice */
+  static const char* const rate_columns[5] = {"t", "wx", "wy", "wz", "wz"}; /* four numbers are read: one twice */
+  const int world_to_body = take_option(&argc, argv, "--conjugate");
   const size_t step = argc == 3 ? (size_t)strtoul(argv[2], NULL, 10) : 0;
   struct keys truth, kept, rates;
   double* omega_world;
@@ -76,15 +70,17 @@ int main(int argc, char** argv) {
   int k;
 
   if (step == 0) {
-    fprintf(stderr, "usage: %s RECORDING.csv STEP\n", argv[0]);
+    fprintf(stderr, "usage: %s RECORDING.csv STEP [--conjugate]\n", argv[0]);
     return 1;
   }
-  truth = read_keys(argv[1], columns);
-  kept = read_keys(argv[1], columns);
-  rates = read_keys(argv[1], rate_columns);
+  truth = read_keys(argv[1], NULL);
+  kept = read_keys(argv[1], NULL);
+  rates = read_columns(argv[1], rate_columns, NULL);
   omega_world = malloc(rates.count * 3 * sizeof *omega_world);
   if (omega_world == NULL) return 1;
-  for (i = 0; i < truth.count; ++i) conjugate_and_normalize(truth.q[i]);
+  if (world_to_body) conjugate(&truth); /* see lesson 1 */
+  /* norm 1, so that angles can be measured */
+  must(qtraj_normalize(truth.q[0], truth.count, truth.q[0], NULL), "normalize");
 
   kept.count = (truth.count - 1) / step + 1;
   for (i = 0; i < kept.count; ++i) {
@@ -110,7 +106,7 @@ int main(int argc, char** argv) {
 
 /* Prints, in this folder:
  *
- *   $ ./06_settings data/cassini_turn.csv 40
+ *   $ ./06_settings data/cassini_turn.csv 40 --conjugate
  *     61 of 2428 keys            error in degrees: rms, largest
  *   SLERP                        0.264  1.92
  *   NLERP                        0.264  1.92
@@ -124,7 +120,7 @@ int main(int argc, char** argv) {
  *   ROTATION_SPLINE              0.176  1.01
  *   ROTATION_SPLINE, natural     0.176  1.01
  *   HERMITE, measured rates      0.106  0.43
- *   $ ./06_settings data/newhorizons_signflip.csv 10
+ *   $ ./06_settings data/newhorizons_signflip.csv 10 --conjugate
  *     43 of  425 keys            error in degrees: rms, largest
  *   SLERP                        0.029  0.28
  *   NLERP                        0.029  0.28

@@ -64,7 +64,6 @@ static void show(const char* what, qtraj_status status) {
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4};
   const double times[4] = {0.5, -1.0, NAN, 1.5};
   double q[4][4];
   struct keys keys;
@@ -77,9 +76,9 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s KEYS.csv\n", argv[0]);
     return 1;
   }
-  keys = read_keys(argv[1], columns);
+  keys = read_columns(argv[1], key_columns, NULL); /* read_keys would look at the norms, as is done here */;
   clean(argv[1], &keys);
-  must(qtraj_create(QTRAJ_SQUAD, keys.times, keys.q[0], keys.count, &trajectory, NULL), argv[1]);
+  must(qtraj_create(QTRAJ_ROTATION_SPLINE, keys.times, keys.q[0], keys.count, &trajectory, NULL), argv[1]);
 
   /* Sampling fails row by row: a row at fault is NaN, the others are right, and the status is that of the first. */
   status = qtraj_sample(trajectory, times, 4, q[0], &bad);

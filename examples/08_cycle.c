@@ -37,7 +37,6 @@ static void report_seam(const struct keys* keys, const char* name, int32_t metho
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {1, 5, 2, 3, 4};
   struct keys keys;
   qtraj_trajectory* cycle;
   double period, q[4], omega_body[3];
@@ -47,7 +46,7 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s ANIMATION.csv\n", argv[0]);
     return 1;
   }
-  keys = read_keys(argv[1], columns);
+  keys = read_keys(argv[1], NULL);
   if (keys.count < arm_begins + arm_keys) return 1;
 
   cycle = create_arm(&keys, QTRAJ_ROTATION_SPLINE, QTRAJ_END_PERIODIC);

@@ -1,6 +1,6 @@
 /* Lesson 9: angular velocity and acceleration of a recorded slew, in both frames.
  *
- *   09_rates RECORDING.csv STEP
+ *   09_rates RECORDING.csv STEP [--conjugate]
  *
  * ROTATION_SPLINE is the curve for this: its acceleration has no jumps. The recording has a line
  * t,qw,qx,qy,qz,wx,wy,wz for each key; its rates, measured in inertial ("world") axes with a noise of 0.031 mrad/s, are
@@ -15,7 +15,8 @@
 static double length(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4}, rate_columns[5] = {0, 5, 6, 7, 7}; /* four numbers are read: one twice */
+  static const char* const rate_columns[5] = {"t", "wx", "wy", "wz", "wz"}; /* four numbers are read: one twice */
+  const int world_to_body = take_option(&argc, argv, "--conjugate");
   const size_t step = argc == 3 ? (size_t)strtoul(argv[2], NULL, 10) : 0;
   struct keys keys, measured;
   qtraj_trajectory* attitude;
@@ -24,15 +25,16 @@ int main(int argc, char** argv) {
   int k;
 
   if (step == 0) {
-    fprintf(stderr, "usage: %s RECORDING.csv STEP\n", argv[0]);
+    fprintf(stderr, "usage: %s RECORDING.csv STEP [--conjugate]\n", argv[0]);
     return 1;
   }
-  keys = read_keys(argv[1], columns);
-  measured = read_keys(argv[1], rate_columns);
+  keys = read_keys(argv[1], NULL);
+  if (world_to_body) conjugate(&keys); /* see lesson 1 */
+  measured = read_columns(argv[1], rate_columns, NULL);
   keys.count = (keys.count - 1) / step + 1;
   for (i = 0; i < keys.count; ++i) {
     keys.times[i] = keys.times[i * step];
-    for (k = 0; k < 4; ++k) keys.q[i][k] = k == 0 ? keys.q[i * step][k] : -keys.q[i * step][k]; /* see lesson 1 */
+    for (k = 0; k < 4; ++k) keys.q[i][k] = keys.q[i * step][k];
   }
   must(qtraj_create(QTRAJ_ROTATION_SPLINE, keys.times, keys.q[0], keys.count, &attitude, NULL), "create");
 
@@ -76,7 +78,7 @@ int main(int argc, char** argv) {
 
 /* Prints, in this folder:
  *
- *   $ ./09_rates data/cassini_turn.csv 4
+ *   $ ./09_rates data/cassini_turn.csv 4 --conjugate
  *   607 keys: a way of 7.16 rad, at most 1.639 mrad/s (3553 s) and 20.5 urad/s^2 (5439 s)
  *   measured rates differ by 0.031 mrad/s rms
  *           omega_world, mrad/s      omega_body, mrad/s       alpha_body, urad/s^2
@@ -87,6 +89,6 @@ int main(int argc, char** argv) {
  *   1900 s   0.005 -1.403 -0.337     -0.295 -1.270  0.616      -0.20   0.51   0.30
  *   1950 s  -0.017 -1.402 -0.336     -0.286 -1.262  0.635       0.36  -0.38  -0.43
  *   2000 s  -0.040 -1.407 -0.334     -0.274 -1.260  0.655       0.52   0.01   1.26
- *   $ ./09_rates data/cassini_turn.csv 1 | head -n 1
+ *   $ ./09_rates data/cassini_turn.csv 1 --conjugate | head -n 1
  *   2428 keys: a way of 7.17 rad, at most 1.643 mrad/s (3554 s) and 108.5 urad/s^2 (6247 s)
  */

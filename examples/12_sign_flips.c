@@ -26,14 +26,13 @@ static void list_flips(const struct keys* recorded, double (*continuous)[4]) {
     changed = dot(recorded->q[i], continuous[i]) < 0;
     if (changed == changed_before) continue;
     ++flips;
-    printf("  line %3lu, %6.2f s: w from %7.4f to %7.4f, which is %7.4f\n", (unsigned long)recorded->lines[i],
+    printf("  line %3lu, %.6f s: w from %7.4f to %7.4f, which is %7.4f\n", (unsigned long)recorded->lines[i],
            recorded->times[i], recorded->q[i - 1][0], recorded->q[i][0], (changed ? -1 : 1) * recorded->q[i][0]);
   }
   printf("flips: %lu\n", (unsigned long)flips);
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4};
   struct keys recorded;
   double(*continuous)[4], least = 1;
   size_t changed, still, bad, i;
@@ -43,7 +42,7 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s RECORDING.csv\n", argv[0]);
     return 1;
   }
-  recorded = read_keys(argv[1], columns);
+  recorded = read_keys(argv[1], NULL);
   continuous = malloc(recorded.count * sizeof *continuous);
   if (continuous == NULL) return 1;
 
@@ -72,13 +71,13 @@ int main(int argc, char** argv) {
  *
  *   $ ./12_sign_flips data/newhorizons_signflip.csv
  *   423 of 425 keys changed
- *     line   3,   2.92 s: w from  0.6892 to -0.6900, which is  0.6900
- *     line 426, 555.01 s: w from -0.6858 to  0.6859, which is  0.6859
+ *     line   3, 2.920000 s: w from  0.6892 to -0.6900, which is  0.6900
+ *     line 426, 555.008000 s: w from -0.6858 to  0.6859, which is  0.6859
  *   flips: 2
  *   after it: 0 keys changed, least dot product of neighbours 0.999989
  *   $ ./12_sign_flips data/cassini_turn.csv
  *   1731 of 2428 keys changed
- *     line 699, 2787.33 s: w from  0.0007 to  0.0021, which is -0.0021
+ *     line 699, 2787.332031 s: w from  0.0007 to  0.0021, which is -0.0021
  *   flips: 1
  *   after it: 0 keys changed, least dot product of neighbours 0.999962
  */

@@ -70,7 +70,6 @@ static void report(const struct method* method, const struct keys* keys, const s
 }
 
 int main(int argc, char** argv) {
-  const int columns[5] = {0, 1, 2, 3, 4};
   const size_t step = argc == 3 ? (size_t)strtoul(argv[2], NULL, 10) : 0;
   struct keys samples, keys, left_out;
   double(*q)[4], *angles;
@@ -80,9 +79,9 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s RECORDING.csv STEP, from 2 on\n", argv[0]);
     return 1;
   }
-  samples = read_keys(argv[1], columns);
-  keys = read_keys(argv[1], columns);
-  left_out = read_keys(argv[1], columns);
+  samples = read_keys(argv[1], NULL);
+  keys = read_keys(argv[1], NULL);
+  left_out = read_keys(argv[1], NULL);
   split(&samples, step, &keys, &left_out);
   q = malloc(samples.count * sizeof *q);
   angles = malloc(samples.count * sizeof *angles);

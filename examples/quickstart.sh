@@ -35,7 +35,8 @@ show_and_run "${CC:-cc}" -std=c99 -O2 examples/01_sample_recording.c examples/le
 
 echo
 echo "== The attitude of Cassini, body to inertial axes, sampled once a second from telemetry of every 4 s"
-show_and_run $out/01_sample_recording examples/data/cassini_turn.csv squad 1 $out/cassini_attitude.csv
+show_and_run $out/01_sample_recording examples/data/cassini_turn.csv rotation_spline 1 $out/cassini_attitude.csv \
+  --conjugate
 
 echo
 echo "== Its first turn, of these samples: at rest, then 17 degrees every 200 s. w goes on through 0 at 2800 s, where the"
@@ -59,6 +60,6 @@ cat <<END
      cc app.c \$(pkg-config --cflags --libs qtraj) -o app
    The other lessons, after the same export; each file ends with what it prints:
      make -C examples
-     cd examples && ./06_settings data/cassini_turn.csv 40
+     cd examples && ./06_settings data/cassini_turn.csv 40 --conjugate
    The table "Your job" in README.md tells which lesson and which function is for what; docs/ has the rest.
 END
