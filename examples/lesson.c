@@ -172,9 +172,7 @@ void free_keys(struct keys* keys) {
 
 /* ---- What the caller says about them ---- */
 
-void conjugate(struct keys* keys) {
-  must(qtraj_conjugate(keys->q[0], keys->count, keys->q[0], NULL), "conjugate");
-}
+void conjugate(struct keys* keys) { must(qtraj_conjugate(keys->q[0], keys->count, keys->q[0], NULL), "conjugate"); }
 
 int take_option(int* argc, char** argv, const char* option) {
   int i, k;
