@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: %s KEYS.csv\n", argv[0]);
     return 1;
   }
-  keys = read_columns(argv[1], key_columns, NULL); /* read_keys would stop at norms that are off */;
+  keys = read_columns(argv[1], key_columns, NULL); /* read_keys would stop at norms that are off */
   clean(argv[1], &keys);
   must(qtraj_create(QTRAJ_ROTATION_SPLINE, keys.times, keys.q[0], keys.count, &trajectory, NULL), argv[1]);
 

@@ -22,7 +22,7 @@ static void check_snippet(void) {
   CHECK(!qtraj_sample_at(curve, -1, NULL, q) && !qtraj_sample_at(curve, times[0], NULL, r));
   for (k = 0; k < 4; ++k) CHECK(fabs(q[k] - r[k]) < 1e-15);
   CHECK(!qtraj_sample_at(curve, times[count - 1] + 1, NULL, q));
-  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_ESTIMATED, QTRAJ_END_ESTIMATED));
+  CHECK(!qtraj_options_set_ends(options, QTRAJ_END_CHORD, QTRAJ_END_CHORD));
   for (run = 0; run < 2; ++run) { /* options can be used again */
     CHECK(!qtraj_create_with_options(options, times, keys[0], count, &same, NULL) && distance(curve, same) == 0);
     qtraj_destroy(same);
