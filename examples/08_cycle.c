@@ -4,7 +4,8 @@
  *
  * The right upper arm of the fox of lesson 3: it ends as it begins. With PERIODIC ends the curve goes on at the seam as
  * it does at its other keys: SQUAD at the same rate, ROTATION_SPLINE with the same acceleration too. With PERIODIC
- * extrapolation it can be sampled at any time. */
+ * extrapolation it can be sampled at any time, and repeats exactly. A file without a closing key needs a period, one
+ * whose closing key was rounded a closure angle. */
 #include <math.h>
 #include <stdio.h>
 
@@ -36,6 +37,31 @@ static void report_seam(const struct keys* keys, const char* name, int32_t metho
   qtraj_destroy(arm);
 }
 
+/* The loop without its closing key, and with one that was written with three decimals. */
+static void close_loops(struct keys keys) {
+  double(*q)[4] = keys.q + arm_begins;
+  const double *times = keys.times + arm_begins, period = times[arm_keys - 1] - times[0];
+  qtraj_options* options;
+  qtraj_trajectory* arm;
+  size_t k;
+  must(qtraj_options_create(QTRAJ_ROTATION_SPLINE, &options), "options");
+  must(qtraj_options_set_ends(options, QTRAJ_END_PERIODIC, QTRAJ_END_PERIODIC), "ends");
+  must(qtraj_options_set_period(options, period), "period");
+  must(qtraj_create_with_options(options, times, q[0], arm_keys - 1, &arm, NULL), "create");
+  printf("without its closing key, a period of %.3f s: %lu keys\n", period, (unsigned long)qtraj_key_count(arm));
+  qtraj_destroy(arm);
+
+  for (k = 0; k < 4; ++k) q[arm_keys - 1][k] = floor(1000 * q[0][k] + 0.5) / 1000;
+  must(qtraj_options_set_period(options, 0), "no period");
+  printf("closing key rounded: %s\n",
+         qtraj_status_text(qtraj_create_with_options(options, times, q[0], arm_keys, &arm, NULL)));
+  must(qtraj_options_set_closure(options, 3e-3), "closure");
+  printf("with a closure angle of 3e-3 rad: %s\n",
+         qtraj_status_text(qtraj_create_with_options(options, times, q[0], arm_keys, &arm, NULL)));
+  qtraj_destroy(arm);
+  qtraj_options_destroy(options);
+}
+
 int main(int argc, char** argv) {
   struct keys keys;
   qtraj_trajectory* cycle;
@@ -63,6 +89,7 @@ int main(int argc, char** argv) {
   report_seam(&keys, "SQUAD, periodic", QTRAJ_SQUAD, QTRAJ_END_PERIODIC);
   report_seam(&keys, "ROTATION_SPLINE, estimated ends", QTRAJ_ROTATION_SPLINE, QTRAJ_END_ESTIMATED);
   report_seam(&keys, "ROTATION_SPLINE, periodic", QTRAJ_ROTATION_SPLINE, QTRAJ_END_PERIODIC);
+  close_loops(keys);
   free_keys(&keys);
   return 0;
 }
@@ -80,4 +107,7 @@ int main(int argc, char** argv) {
  *   SQUAD, periodic                     0.000 of 16.139 rad/s      63.2 of  559.8 rad/s^2
  *   ROTATION_SPLINE, estimated ends     0.501 of 16.484 rad/s     142.0 of  447.5 rad/s^2
  *   ROTATION_SPLINE, periodic           0.000 of 16.484 rad/s       0.0 of  447.5 rad/s^2
+ *   without its closing key, a period of 1.158 s: 25 keys
+ *   closing key rounded: the last key is not the first: append it, set a period or a closure
+ *   with a closure angle of 3e-3 rad: success
  */

@@ -73,6 +73,11 @@ static void check_means(void) {
   CHECK(qtraj_mean_karcher(apart[0], heavy, 2, 0, 50, q, NULL, NULL, NULL) == QTRAJ_E_AMBIGUOUS && !isnan(q[0]));
   CHECK(qtraj_mean_eigen(apart[0], none, 2, q, NULL, &bad) == QTRAJ_E_ZERO_NORM && bad == SIZE_MAX && isnan(q[0]));
   CHECK(qtraj_mean_eigen(apart[0], below, 2, q, NULL, &bad) == QTRAJ_E_NEGATIVE_WEIGHT && bad == 1);
+  { /* weight 0 does not excuse a row */
+    const double lost[2][4] = {{1, 0, 0, 0}, {0, 0, 0, 0}}, first_only[2] = {1, 0};
+    size_t at;
+    CHECK(qtraj_mean_eigen(lost[0], first_only, 2, q, NULL, &at) == QTRAJ_E_ZERO_NORM && at == 1);
+  }
   CHECK(qtraj_mean_eigen(apart[0], NULL, 0, q, NULL, NULL) == QTRAJ_E_TOO_FEW);
   CHECK(qtraj_mean_karcher(apart[0], NULL, 2, -1, 50, q, NULL, NULL, NULL) == QTRAJ_E_VALUE);
   CHECK(qtraj_mean_karcher(apart[0], NULL, 2, 0, 0, q, NULL, NULL, NULL) == QTRAJ_E_VALUE);

@@ -165,7 +165,59 @@ static void check_norms(void) {
   qtraj_destroy(curve);
 }
 
+/* By how much a curve about z leaves keys at 0, 0, 90 and 90 degrees, degrees. */
+static double overshoot(const qtraj_trajectory* curve) {
+  double largest = 0, q[4];
+  int i;
+  for (i = 0; i <= 30000; ++i) {
+    const double time = i / 10000.0;
+    double angle, off;
+    if (qtraj_sample_at(curve, time, NULL, q) != QTRAJ_OK) return INFINITY;
+    angle = 2 * atan2(q[3], q[0]) * 45 / atan(1.0);
+    off = time <= 1 ? fabs(angle) : time >= 2 ? fabs(angle - 90) : fmax(-angle, angle - 90);
+    largest = fmax(largest, off);
+  }
+  return largest;
+}
+
+static void check_overshoot(void) {
+  static const struct {
+    int32_t method, end;
+    double degrees;
+  } rows[] = {{QTRAJ_SLERP, 0, 0},
+              {QTRAJ_NLERP, 0, 0},
+              {QTRAJ_SQUAD, 0, 6.7},
+              {QTRAJ_SQUAD, QTRAJ_END_CHORD, 6.7},
+              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 11.3},
+              {QTRAJ_LOG_SPLINE, 0, 11.5},
+              {QTRAJ_LOG_SPLINE, QTRAJ_END_NOT_A_KNOT, 22.7},
+              {QTRAJ_ROTATION_SPLINE, 0, 22.7},
+              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_CHORD, 8.0},
+              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_NATURAL, 11.5},
+              {QTRAJ_HERMITE, 0, 0},
+              {QTRAJ_ROTATION_QUINTIC, 0, 0},
+              {QTRAJ_QUATERNION_QUINTIC, 0, 0}};
+  const double t[4] = {0, 1, 2, 3}, h = sqrt(0.5);
+  const double q[4][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {h, 0, 0, h}, {h, 0, 0, h}}, still[4][3] = {{0}};
+  size_t row;
+  for (row = 0; row < sizeof rows / sizeof rows[0]; ++row) {
+    const int32_t method = rows[row].method;
+    qtraj_options* options = options_of(method);
+    qtraj_trajectory* curve = NULL;
+    if (rows[row].end) CHECK(!qtraj_options_set_ends(options, rows[row].end, rows[row].end));
+    if (method < QTRAJ_HERMITE)
+      CHECK(!qtraj_create_with_options(options, t, q[0], 4, &curve, NULL));
+    else
+      CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], still[0],
+                                     method == QTRAJ_HERMITE ? NULL : still[0], 4, &curve, NULL));
+    CHECK(fabs(overshoot(curve) - rows[row].degrees) <= 0.051);
+    qtraj_destroy(curve);
+    qtraj_options_destroy(options);
+  }
+}
+
 void check_methods(void) {
+  check_overshoot();
   check_continuity();
   check_shapes();
   check_ripple();

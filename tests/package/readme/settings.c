@@ -14,7 +14,7 @@ static int run_snippet(const double* keys, qtraj_trajectory** built) {
 
 static void check_snippet(void) {
   double q[4], r[4];
-  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  qtraj_options* options = options_of(QTRAJ_ROTATION_SPLINE);
   qtraj_trajectory *curve = NULL, *same;
   int run, k;
   CHECK(run_snippet(keys[0], &curve) == 0);
