@@ -38,9 +38,9 @@ DoubleDouble half_phase(const Trajectory& trajectory, double time) {
   if (period.error != 0) {
     // so far away that the digits left out make whole periods
     if (std::abs(distance.value) * 0x1p-50 > twice) return {0.0, 0.0};
-    const double turns = round_to_integer((distance.value - whole) / twice), error = 2.0 * period.error;
-    const double left_out = turns * error;
-    phase = sum_of(phase, {-left_out, -std::fma(turns, error, -left_out)});
+    // an eighth of a period at most, so that its rounding error is below that of the wrapped time
+    const double turns = round_to_integer((distance.value - whole) / twice);
+    phase = sum_of(phase, {-turns * (2.0 * period.error), 0.0});
   }
   const DoubleDouble both = {twice, 2.0 * period.error};
   while (is_negative(phase)) phase = sum_of(phase, both);

@@ -78,19 +78,23 @@ TEST_CASE("C API: a curve that repeats does so to the last bit, however far away
 }
 
 TEST_CASE("C API: a period that is no double is repeated exactly too", "[capi][periodic]") {
-  // first and last key at times whose difference takes 57 digits; the reference is exact in long double for few turns
-  const double first = 1e6 + 0.1, last = first + 0.3 + 1e-9;
-  const Keyframes<double> keys = {{first, first + 0.1, last}, {1, 0, 0, 0, 0.8, 0.6, 0, 0, 1, 0, 0, 0}};
+  // 1.3 - 0.1 is no double; times in units of 2^-60, in which all are integers
+  __extension__ using Integer = __int128;
+  constexpr double kUnits = 0x1p60;
+  const double first = 0.1, last = 1.3;
+  const auto in_units = [&](double time) { return static_cast<Integer>(static_cast<long double>(time) * kUnits); };
+  const Integer period = in_units(last) - in_units(first);
+  CHECK(period != in_units(last - first));
+  const Keyframes<double> keys = {{first, 0.5, last}, {1, 0, 0, 0, 0.8, 0.6, 0, 0, 1, 0, 0, 0}};
   const Trajectory curve = must_build(repeating({"", QTRAJ_SLERP}).get(), keys);
-  const long double period = static_cast<long double>(last) - static_cast<long double>(first);
-  for (const double turns : {1.0, 7.0, 1000.0, 1e6, -1.0, -1e6}) {
-    const auto far = static_cast<double>(static_cast<long double>(first) + (turns + 0.25L) * period);
-    const long double elapsed =
-        static_cast<long double>(far) - static_cast<long double>(first) - static_cast<long double>(turns) * period;
-    const double inside = first + static_cast<double>(elapsed);
-    CAPTURE(turns, inside - first);
-    CHECK(difference(sample_of(curve.get(), far).q, sample_of(curve.get(), inside).q, 4) <= 2e-9);
-  }
+  for (double far = 3.7; far < 3e9; far *= 1.9)
+    for (const double time : {far, -far}) {
+      Integer phase = (in_units(time) - in_units(first)) % period;
+      if (phase < 0) phase += period;
+      const double inside = static_cast<double>(static_cast<long double>(phase + in_units(first)) / kUnits);
+      CAPTURE(time, inside);
+      CHECK(difference(sample_of(curve.get(), time).q, sample_of(curve.get(), inside).q, 4) <= 2e-15);
+    }
 }
 
 TEST_CASE("C API: at the end of a curve that repeats, all is as at its start", "[capi][periodic]") {

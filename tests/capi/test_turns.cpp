@@ -107,32 +107,72 @@ TEST_CASE("C API: a spinner comes back from its rows and rates, however long a r
         });
 }
 
-TEST_CASE("C API: rates that are not what they should be show as a mismatch", "[capi][turns]") {
-  // a body that tumbles slowly, a row every 0.1 s
-  std::vector<double> times;
+// A body that tumbles slowly for 4 s: a turn by a about z, then by b about the body's x, so that
+// omega_body = b' x + (turned back by b) a' z.
+struct Tumble {
   Keyframes<double> keys;
   Rates<double> rates;
-  for (int i = 0; i < 40; ++i) {
-    const double t = 0.1 * i, a = 0.9 * t, b = 0.5 * t;
-    // q = turn by a about z, then by b about the body's x: omega_body = b' x + (turned back by b) a' z
+};
+Tumble tumble(double row) {
+  Tumble tumble;
+  for (int i = 0; i * row < 4; ++i) {
+    const double t = row * i, a = 0.9 * t, b = 0.5 * t;
     const double q[4] = {std::cos(a / 2) * std::cos(b / 2), std::cos(a / 2) * std::sin(b / 2),
                          std::sin(a / 2) * std::sin(b / 2), std::sin(a / 2) * std::cos(b / 2)};
-    keys.times.push_back(t);
-    keys.q.insert(keys.q.end(), q, q + 4);
-    for (const double w : {0.5, 0.9 * std::sin(b), 0.9 * std::cos(b)}) rates.omega.push_back(w);
+    tumble.keys.times.push_back(t);
+    tumble.keys.q.insert(tumble.keys.q.end(), q, q + 4);
+    for (const double w : {0.5, 0.9 * std::sin(b), 0.9 * std::cos(b)}) tumble.rates.omega.push_back(w);
   }
+  return tumble;
+}
+
+TEST_CASE("C API: the mismatch of good rates is of third order", "[capi][turns]") {
+  const auto mismatch = [](double row) {
+    const Tumble given = tumble(row);
+    double angle = 0;
+    const Trajectory curve = must_build(make_options({"", QTRAJ_HERMITE}).get(), given.keys, given.rates);
+    REQUIRE(qtraj_rate_mismatch(curve.get(), &angle, nullptr) == QTRAJ_OK);
+    return angle;
+  };
+  for (const double row : {0.4, 0.2, 0.1}) {
+    CAPTURE(row);
+    CHECK(mismatch(row) / mismatch(0.5 * row) > 7.5);
+    CHECK(mismatch(row) / mismatch(0.5 * row) < 8.5);
+  }
+}
+
+TEST_CASE("C API: the ends of a ROTATION_SPLINE count the turns of its steps", "[capi][turns]") {
+  const double step = 4 * kPi / 3;  // 240 degrees, or 120 the other way round
+  const Turning t = turning({0, 2, 4, 6, 8}, {0, step, 2 * step, 3 * step, 4 * step}, {0, 0, 0, 0, 0}, false);
+  const int32_t turns[4] = {-1, -1, -1, -1};
+  for (const int32_t end : {QTRAJ_END_ESTIMATED, QTRAJ_END_CHORD, QTRAJ_END_NATURAL}) {
+    const Options options = with_turns(QTRAJ_ROTATION_SPLINE, QTRAJ_TURNS_GIVEN);
+    REQUIRE(qtraj_options_set_ends(options.get(), end, end) == QTRAJ_OK);
+    qtraj_trajectory* out = nullptr;
+    REQUIRE(qtraj_create_with_turns(options.get(), 0, t.keys.times.data(), t.keys.q.data(), nullptr, nullptr, turns, 5,
+                                    &out, nullptr) == QTRAJ_OK);
+    const Trajectory curve(out);
+    CAPTURE(end);
+    for (double time = 0; time <= 8; time += 0.25) CHECK(std::abs(speed_at(curve.get(), time) - 0.5 * step) <= 1e-12);
+  }
+}
+
+TEST_CASE("C API: rates that are not what they should be show as a mismatch", "[capi][turns]") {
+  const Tumble given = tumble(0.1);
+  const Keyframes<double>& keys = given.keys;
+  const Rates<double>& rates = given.rates;
   const Options options = make_options({"", QTRAJ_HERMITE});
-  const auto mismatch = [&](double scale, int32_t frame, const Rates<double>& given) {
-    Rates<double> scaled = given;
+  const auto mismatch = [&](double scale, int32_t frame) {
+    Rates<double> scaled = rates;
     for (double& w : scaled.omega) w *= scale;
     double angle = 0;
     REQUIRE(qtraj_rate_mismatch(must_build(options.get(), keys, scaled, frame).get(), &angle, nullptr) == QTRAJ_OK);
     return angle;
   };
-  CHECK(mismatch(1, QTRAJ_FRAME_BODY, rates) <= 1e-4);
-  CHECK(mismatch(180 / kPi, QTRAJ_FRAME_BODY, rates) > 0.4);  // degrees for radians
-  CHECK(mismatch(-1, QTRAJ_FRAME_BODY, rates) > 0.1);         // the sign: twice the step
-  CHECK(mismatch(1, QTRAJ_FRAME_WORLD, rates) > 0.05);        // world for body: of the size of the step, 0.1
+  CHECK(mismatch(1, QTRAJ_FRAME_BODY) <= 1e-4);
+  CHECK(mismatch(180 / kPi, QTRAJ_FRAME_BODY) > 0.4);  // degrees for radians
+  CHECK(mismatch(-1, QTRAJ_FRAME_BODY) > 0.1);         // the sign: twice the step
+  CHECK(mismatch(1, QTRAJ_FRAME_WORLD) > 0.05);        // world for body: of the size of the step, 0.1
   double angle = 7;
   size_t index = 7;
   CHECK(qtraj_rate_mismatch(nullptr, &angle, &index) == QTRAJ_E_NULL);
