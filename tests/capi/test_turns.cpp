@@ -141,10 +141,22 @@ TEST_CASE("C API: the mismatch of good rates is of third order", "[capi][turns]"
   }
 }
 
+TEST_CASE("C API: the mismatch takes rates in the body frame in the middle of the step", "[capi][turns]") {
+  // a step of 2 rad about z, and 1 rad/s about x at both ends: a rad off that axis on either side, and 2 rad short
+  const Keyframes<double> keys = {{0, 1}, {1, 0, 0, 0, std::cos(1.0), 0, 0, std::sin(1.0)}};
+  double angle = 0;
+  size_t index = 7;
+  const Trajectory curve =
+      must_build(make_options({"", QTRAJ_HERMITE}).get(), keys, Rates<double>{{1, 0, 0, 1, 0, 0}, {}});
+  REQUIRE(qtraj_rate_mismatch(curve.get(), &angle, &index) == QTRAJ_OK);
+  CHECK(std::abs(angle - std::hypot(std::cos(1.0), 2.0)) <= 1e-14);
+  CHECK(index == 0);
+}
+
 TEST_CASE("C API: the ends of a ROTATION_SPLINE count the turns of its steps", "[capi][turns]") {
-  const double step = 4 * kPi / 3;  // 240 degrees, or 120 the other way round
+  const double step = 8 * kPi / 3;  // 480 degrees: 120 and a whole turn
   const Turning t = turning({0, 2, 4, 6, 8}, {0, step, 2 * step, 3 * step, 4 * step}, {0, 0, 0, 0, 0}, false);
-  const int32_t turns[4] = {-1, -1, -1, -1};
+  const int32_t turns[4] = {1, 1, 1, 1};
   for (const int32_t end : {QTRAJ_END_ESTIMATED, QTRAJ_END_CHORD, QTRAJ_END_NATURAL}) {
     const Options options = with_turns(QTRAJ_ROTATION_SPLINE, QTRAJ_TURNS_GIVEN);
     REQUIRE(qtraj_options_set_ends(options.get(), end, end) == QTRAJ_OK);
