@@ -6,12 +6,16 @@
 
 #include "base/times.hpp"
 #include "diagnostics/segment_rates.hpp"
+#include "math/quaternion.hpp"
 
 namespace qtraj {
 
 // What is compared or summed: |omega|, |alpha|, |omega| h, |alpha| h^(1/2). In seconds each is (2/h)^p times its value
 // per unit of s.
 enum class Quantity { omega, alpha, angle, energy };
+
+// Accelerations below this part of the largest |omega|/h are rounding noise.
+constexpr double kNoise = 1e-12;
 
 class CommonUnit {
  public:
@@ -21,6 +25,9 @@ class CommonUnit {
   class Weight {
    public:
     double operator()(double size) const { return size * first_ * second_ * unit_; }
+    double length_of(const Vector3& rate) const {
+      return length(Vector3((*this)(rate[0]), (*this)(rate[1]), (*this)(rate[2])));
+    }
 
    private:
     friend class CommonUnit;

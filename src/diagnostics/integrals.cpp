@@ -16,8 +16,6 @@ namespace {
 // the larger of the integrals over its segment and over the mean segment. Where |omega| may be 0 inside, which happens
 // in few pieces, a part of that whatever the width.
 constexpr double kTolerance = 1e-9, kOfPiece = 2e-10, kOfSegment = 1e-10, kOfCusp = 2e-12;
-// Rounding errors of alpha below this part of the largest |omega|/h do not count; nor does alpha itself.
-constexpr double kNoise = 1e-12;
 
 // Both kinds of integral: of |alpha|^2, and of |omega|, which is not analytic where it is 0.
 class Integration {
@@ -57,15 +55,11 @@ class Integration {
     weight_ = unit_.weight(segment);
   }
 
-  // Lengths in the common unit.
-  double weighted_length(const Vector3& rate) const {
-    return length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
-  }
   bool raise_noise() {
     for (const double s : {-1.0, 0.0, 1.0}) {
       RatesInSegment rates;
       if (!rates_in_segment(trajectory_, segment_, s, false, rates)) return false;
-      noise_ = std::max(noise_, kNoise * weighted_length(rates.omega));
+      noise_ = std::max(noise_, kNoise * weight_.length_of(rates.omega));
     }
     return true;
   }
@@ -76,7 +70,7 @@ class Integration {
       RatesInSegment rates;
       if (!rates_in_segment(trajectory_, segment_, piece.middle + x * piece.half_width, !is_angle(), rates))
         return false;
-      const double size = weighted_length(is_angle() ? rates.omega : rates.alpha);
+      const double size = weight_.length_of(is_angle() ? rates.omega : rates.alpha);
       value = is_angle() ? size : size * size;
       return true;
     };
@@ -145,7 +139,7 @@ class Integration {
   bool integrate_piece(const Piece& piece, const PieceBounds& bounds, bool& is_done) {
     RatesInSegment rates;
     if (!rates_in_segment(trajectory_, segment_, piece.middle, true, rates)) return false;
-    const double omega = weighted_length(rates.omega), alpha = weighted_length(rates.alpha);
+    const double omega = weight_.length_of(rates.omega), alpha = weight_.length_of(rates.alpha);
     const PieceError found = is_angle() ? error_of_lengths(piece, bounds, omega, alpha) : error_of_squares(bounds);
     const double error = piece.half_width * found.error;
     const double floor = found.is_cusp ? std::max(kOfCusp * allowed_, kOfSegment * allowed_ * piece.half_width)

@@ -19,8 +19,6 @@ constexpr double kTolerance = 1e-10;
 // Samples are off by at most kRoundings units of PieceBounds::rounding, a polynomial through them by a few more. Where
 // that is more than the tolerance, it takes the place of it, up to here; bounds then exceed the peak by twice as much.
 constexpr double kLargestTolerance = 4.5e-7, kRoundings = 12.0;
-// Accelerations are rounding noise below this part of the largest |omega|/h.
-constexpr double kNoise = 1e-12;
 
 class PeakSearch {
  public:
@@ -53,16 +51,11 @@ class PeakSearch {
     weight_ = unit_.weight(segment);
   }
 
-  // In the common unit.
-  double weighted_length(const Vector3& rate) const {
-    return length(Vector3(weight_(rate[0]), weight_(rate[1]), weight_(rate[2])));
-  }
-
   // The size at s, which raises the best so far; `reach` is the half width of the piece it is of.
   bool sample(double s, double reach, double& size) {
     RatesInSegment rates;
     if (!rates_in_segment(trajectory_, segment_, s, !is_omega(), rates)) return false;
-    size = weighted_length(is_omega() ? rates.omega : rates.alpha);
+    size = weight_.length_of(is_omega() ? rates.omega : rates.alpha);
     if (size > best_) best_ = size, best_segment_ = segment_, best_at_ = s, reach_ = reach;
     return true;
   }
@@ -76,7 +69,7 @@ class PeakSearch {
       if (!sample(s, 1.0, size)) return false;
       RatesInSegment rates;
       if (is_omega() || !rates_in_segment(trajectory_, segment_, s, false, rates)) continue;
-      noise_ = std::max(noise_, kNoise * weighted_length(rates.omega));
+      noise_ = std::max(noise_, kNoise * weight_.length_of(rates.omega));
     }
     return true;
   }
