@@ -36,7 +36,7 @@ qtraj_status qtraj_curve_jumps(const qtraj_trajectory* trajectory, int32_t frame
   const Status handle = capi::check_handle(trajectory);
   if (handle != Status::ok) return to_c(handle);
   if (!is_known(static_cast<Frame>(frame))) return QTRAJ_E_VALUE;
-  const size_t bytes = 3 * trajectory->core.key_count * sizeof(double);
+  const size_t bytes = 3 * trajectory->core.timeline.key_count * sizeof(double);
   if (capi::overlap({omega_jump, bytes}, {alpha_jump, bytes})) return QTRAJ_E_OVERLAP;
   return to_c(curve_jumps(trajectory->core, static_cast<Frame>(frame), omega_jump, alpha_jump).status);
 }

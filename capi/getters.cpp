@@ -25,17 +25,17 @@ int32_t qtraj_method(const qtraj_trajectory* trajectory) {
 
 size_t qtraj_key_count(const qtraj_trajectory* trajectory) {
   const Trajectory* core = core_of(trajectory);
-  return core ? core->key_count : 0;
+  return core ? core->timeline.key_count : 0;
 }
 
 double qtraj_start_time(const qtraj_trajectory* trajectory) {
   const Trajectory* core = core_of(trajectory);
-  return core ? core->before.knot : kNaN;
+  return core ? core->timeline.before.knot : kNaN;
 }
 
 double qtraj_end_time(const qtraj_trajectory* trajectory) {
   const Trajectory* core = core_of(trajectory);
-  return core ? core->after.knot : kNaN;
+  return core ? core->timeline.after.knot : kNaN;
 }
 
 size_t qtraj_sign_flips(const qtraj_trajectory* trajectory) {
@@ -66,9 +66,9 @@ double qtraj_residual(const qtraj_trajectory* trajectory) {
 qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out) {
   const Status handle = capi::check_handle(trajectory);
   if (handle != Status::ok) return capi::to_c(handle);
-  const size_t time_bytes = trajectory->core.key_count * sizeof(double), q_bytes = 4 * time_bytes;
+  const size_t time_bytes = trajectory->core.timeline.key_count * sizeof(double), q_bytes = 4 * time_bytes;
   if (capi::overlap({times_out, time_bytes}, {q_out, q_bytes})) return QTRAJ_E_OVERLAP;
-  if (times_out) std::memcpy(times_out, knots_of(trajectory->core), time_bytes);
+  if (times_out) std::memcpy(times_out, knots_of(trajectory->core.timeline), time_bytes);
   if (q_out) std::memcpy(q_out, keys_of(trajectory->core), q_bytes);
   return QTRAJ_OK;
 }

@@ -134,7 +134,7 @@ qtraj_status qtraj_uniform_count(const qtraj_trajectory* trajectory, double star
   const Status handle = count ? capi::check_handle(trajectory) : Status::null;
   if (count) *count = 0;
   if (handle != Status::ok) return capi::to_c(handle);
-  return capi::to_c(uniform_count(trajectory->core, start, step, *count));
+  return capi::to_c(uniform_count(trajectory->core.timeline, start, step, *count));
 }
 
 qtraj_status qtraj_sample_unnormalized(const qtraj_trajectory* trajectory, const double* times, size_t count,
@@ -157,11 +157,11 @@ qtraj_status qtraj_segment_times(const qtraj_trajectory* trajectory, size_t per_
   const Status handle = capi::check_handle(trajectory);
   if (handle != Status::ok) return capi::to_c(handle);
   if (per_segment < 2) return QTRAJ_E_TOO_FEW;
-  const size_t segments = trajectory->core.key_count - 1, steps = per_segment - 1;
+  const size_t segments = trajectory->core.timeline.key_count - 1, steps = per_segment - 1;
   size_t bytes;
   if (steps > SIZE_MAX / segments - 1 || !capi::array_bytes(segments * steps + 1, sizeof(double), bytes))
     return QTRAJ_E_SIZE;
-  segment_times(knots_of(trajectory->core), trajectory->core.key_count, per_segment, times_out);
+  segment_times(knots_of(trajectory->core.timeline), trajectory->core.timeline.key_count, per_segment, times_out);
   return QTRAJ_OK;
 }
 

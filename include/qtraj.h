@@ -201,7 +201,9 @@ enum qtraj_method_value {
   /** C2: quintic rotation vectors, rates and accelerations at the keys given. */
   QTRAJ_ROTATION_QUINTIC = 7,
   /** C2: the same in R^4, normalised; for steps well below half a turn, see qtraj_curve_least_norm(). */
-  QTRAJ_QUATERNION_QUINTIC = 8
+  QTRAJ_QUATERNION_QUINTIC = 8,
+  /** Not continuous: each key is held until the next one; what files prescribe for what jumps. Rates are 0. */
+  QTRAJ_STEP = 9
 };
 /** Frame that angular velocities and accelerations are given in. */
 enum qtraj_frame_value {

@@ -1,80 +1,20 @@
 #include "curve/extrapolation.hpp"
 
-#include <cmath>
-
-#include "base/floating.hpp"
 #include "math/trigonometry.hpp"
 
 namespace qtraj {
 
-void extrapolate(const Extrapolation& side, double time, double* q) {
-  if (side.rate == 0) {  // not m * 1 + e * 0, which would lose the sign of a zero
-    for (int k = 0; k < 4; ++k) q[k] = side.m[k];
+const GreatCircle& circle_beyond(const Trajectory& trajectory, const Place& place) {
+  return place.beyond == &trajectory.timeline.before ? trajectory.before : trajectory.after;
+}
+
+void extrapolate(const GreatCircle& circle, double time, double* q) {
+  if (circle.rate == 0) {  // not m * 1 + e * 0, which would lose the sign of a zero
+    for (int k = 0; k < 4; ++k) q[k] = circle.m[k];
     return;
   }
-  const bool past_far = time > side.knot ? time > side.far_time : time < side.far_time;
-  const SinCos at = sin_cos(side.rate * ((past_far ? side.far_time : time) - side.knot));
-  for (int k = 0; k < 4; ++k) q[k] = side.m[k] * at.cos + side.e[k] * at.sin;
-}
-
-namespace {
-
-DoubleDouble sum_of(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble sum = two_sum(a.value, b.value);
-  return two_sum(sum.value, sum.error + (a.error + b.error));
-}
-DoubleDouble negated(const DoubleDouble& a) { return {-a.value, -a.error}; }
-bool is_negative(const DoubleDouble& a) { return a.value < 0; }
-
-// Half the time since the first knot, less a whole number of double periods: in [0, 2 half periods). fmod is exact, so
-// that nothing is lost however far the time is. Where the period is no double, the part below its last digit is taken
-// off as often as it was left out; past 2^50 of them the phase is 0.
-DoubleDouble half_phase(const Trajectory& trajectory, double time) {
-  const DoubleDouble period = trajectory.half_period;
-  const double twice = 2.0 * period.value;
-  const DoubleDouble distance = two_sum(0.5 * time, -0.5 * trajectory.before.knot);
-  const double whole = std::fmod(distance.value, twice), part = std::fmod(distance.error, twice);
-  DoubleDouble phase = two_sum(whole, part);
-  if (period.error != 0) {
-    // so far away that the digits left out make whole periods
-    if (std::abs(distance.value) * 0x1p-50 > twice) return {0.0, 0.0};
-    // an eighth of a period at most, so that its rounding error is below that of the wrapped time
-    const double turns = round_to_integer((distance.value - whole) / twice);
-    phase = sum_of(phase, {-turns * (2.0 * period.error), 0.0});
-  }
-  const DoubleDouble both = {twice, 2.0 * period.error};
-  while (is_negative(phase)) phase = sum_of(phase, both);
-  for (;;) {
-    const DoubleDouble less = sum_of(phase, negated(both));
-    if (is_negative(less)) return phase;
-    phase = less;
-  }
-}
-
-}  // namespace
-
-WrappedTime wrap_time(const Trajectory& trajectory, double time) {
-  const double first = trajectory.before.knot;
-  DoubleDouble phase = half_phase(trajectory, time);
-  const DoubleDouble in_second = sum_of(phase, negated(trajectory.half_period));
-  const bool is_odd = !is_negative(in_second);
-  if (is_odd) phase = in_second;
-  const double wrapped = first + 2.0 * phase.value;
-  return {wrapped > trajectory.last_inside ? trajectory.last_inside : wrapped, is_odd && trajectory.negate_on_wrap};
-}
-
-Place place_outside(const Trajectory& trajectory, double time) {
-  const bool is_before = time < trajectory.before.knot;
-  const Extrapolation& side = is_before ? trajectory.before : trajectory.after;
-  const bool repeats = side.rule == Extrapolate::periodic;
-  // next to a knot it counts as that knot; the last one of a curve that repeats is the first of the next round
-  if (is_before ? time >= side.reach : time <= side.reach) {
-    if (is_before || !repeats) return {side.knot, false, nullptr};
-    return {trajectory.before.knot, trajectory.negate_on_wrap, nullptr};
-  }
-  if (!repeats) return {time, false, &side};
-  const WrappedTime wrapped = wrap_time(trajectory, time);
-  return {wrapped.time, wrapped.negate, nullptr};
+  const SinCos at = sin_cos(circle.angle(time));
+  for (int k = 0; k < 4; ++k) q[k] = circle.m[k] * at.cos + circle.e[k] * at.sin;
 }
 
 }  // namespace qtraj

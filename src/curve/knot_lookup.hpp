@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "curve/trajectory.hpp"
+#include "curve/timeline.hpp"
 
 namespace qtraj {
 
@@ -45,31 +45,18 @@ static inline uint64_t bucket_of(const Guide& guide, double time) {
 // Fills first_candidate [entries] for knots [count] and sets scale and candidates. They hold in every rounding mode.
 void build_guide(const double* knots, size_t count, uint64_t* first_candidate, double& scale, size_t& candidates);
 
-// Knots of a trajectory with their guide.
+// Knots with their guide.
 struct KnotIndex {
   const double* knots;
   size_t segments;
   Guide guide;
 };
 
-static inline KnotIndex knot_index(const Trajectory& trajectory) {
-  return {knots_of(trajectory),
-          trajectory.key_count - 1,
-          {at_offset<uint64_t>(trajectory, trajectory.guide_offset), trajectory.before.knot, trajectory.guide_scale,
-           trajectory.guide_candidates}};
-}
-
-// Whether a finite time is sampled as it is: within the knots, of a curve that repeats before the last one.
-static inline bool is_inside(const Trajectory& trajectory, double time) {
-  return time >= trajectory.before.knot && time <= trajectory.last_inside;
-}
-
-// Whether a segment is longer than the longest gap: its times have no value, its knots do.
-static inline bool is_gap(const Trajectory& trajectory, const double* knots, size_t segment) {
-  return knots[segment + 1] - knots[segment] > trajectory.longest_gap;
-}
-static inline bool is_in_gap(const Trajectory& trajectory, const double* knots, size_t segment, double time) {
-  return is_gap(trajectory, knots, segment) && time > knots[segment] && time < knots[segment + 1];
+static inline KnotIndex knot_index(const Timeline& timeline) {
+  return {knots_of(timeline),
+          timeline.key_count - 1,
+          {at_offset<uint64_t>(timeline, timeline.guide_offset), timeline.before.knot, timeline.guide_scale,
+           timeline.guide_candidates}};
 }
 
 // The segment of a time within the knots: the last one that starts at or before it; at the last knot the last segment.

@@ -44,7 +44,7 @@ class Batch {
       : evaluator_(evaluator),
         trajectory_(trajectory),
         request_(rate_request(outputs)),
-        index_(knot_index(trajectory)),
+        index_(knot_index(trajectory.timeline)),
         segments_(segments_of<Segment>(trajectory)),
         source_(source),
         times_(source, count),
@@ -59,7 +59,7 @@ class Batch {
       if (times_.read(first_row_, rows) && sample_runs(cursor)) {
         if (has_marks_) sample_again(rows, cursor, outcome);
       } else if constexpr (kScattersInVectors) {
-        const bool all_inside = times_.clamp(index_.knots[0], trajectory_.last_inside);
+        const bool all_inside = times_.clamp(index_.knots[0], trajectory_.timeline.last_inside);
         sample_scattered(rows);
         if (!all_inside || has_marks_) sample_again(rows, cursor, outcome);
       } else {
@@ -97,7 +97,7 @@ class Batch {
   bool sample_runs(size_t& cursor) {
     const size_t rows = times_.rows();
     const double first_time = read_once(times_[0]), last_time = read_once(times_[rows - 1]);
-    if (first_time < index_.knots[0] || last_time > trajectory_.last_inside) return false;
+    if (first_time < index_.knots[0] || last_time > trajectory_.timeline.last_inside) return false;
     if (!(first_time <= last_time)) return false;
     const size_t first = find_segment(index_, first_time, cursor);
     const size_t last = find_segment(index_, last_time, first);
@@ -106,7 +106,7 @@ class Batch {
     for (size_t segment = first, begin = 0; segment <= last; ++segment) {
       const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
       if (begin < end) {
-        if (is_gap(trajectory_, index_.knots, segment))
+        if (is_gap(trajectory_.timeline, index_.knots, segment))
           mark_again(begin, end - begin);
         else
           sample_run(segment, begin, end);
@@ -292,9 +292,9 @@ class Batch {
   // ---- Rows done again ----
 
   void mark_gaps(size_t begin, size_t end, const int64_t* found) {
-    if (trajectory_.longest_gap == __builtin_inf()) return;
+    if (trajectory_.timeline.longest_gap == __builtin_inf()) return;
     for (size_t i = begin; i < end; ++i)
-      if (is_gap(trajectory_, index_.knots, static_cast<size_t>(found[i - begin]))) mark_again(i, 1);
+      if (is_gap(trajectory_.timeline, index_.knots, static_cast<size_t>(found[i - begin]))) mark_again(i, 1);
   }
 
   QTRAJ_NOINLINE void mark_again(size_t i, size_t rows) {
@@ -307,7 +307,7 @@ class Batch {
   QTRAJ_NOINLINE void sample_again(size_t rows, size_t& cursor, Outcome& outcome) {
     for (size_t i = 0; i < rows; ++i) {
       const double time = source_[first_row_ + i];
-      const bool inside = is_finite(time) && is_inside(trajectory_, time);
+      const bool inside = is_finite(time) && is_inside(trajectory_.timeline, time);
       if (inside && !(has_marks_ && marked_[i])) continue;
       const size_t row = first_row_ + i;
       keep_first(kSampleAt(trajectory_, time, cursor, from_row(outputs_, row)), row, outcome);

@@ -152,10 +152,10 @@ EvaluateRow<Real>* row_evaluator(const Trajectory& trajectory, const SampleOutpu
 template <class Real>
 Status sample_inside(const Trajectory& trajectory, double time, bool negate, size_t& cursor,
                      const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
-  const KnotIndex index = knot_index(trajectory);
+  const KnotIndex index = knot_index(trajectory.timeline);
   const size_t segment = find_segment(index, time, cursor);
   cursor = segment;
-  if (is_in_gap(trajectory, index.knots, segment, time)) return write_fault(Status::gap, outputs, i);
+  if (is_in_gap(trajectory.timeline, index.knots, segment, time)) return write_fault(Status::gap, outputs, i);
   return evaluate(trajectory, segment, time - index.knots[segment], negate, outputs, i);
 }
 
@@ -163,16 +163,17 @@ Status sample_inside(const Trajectory& trajectory, double time, bool negate, siz
 template <class Real>
 QTRAJ_NOINLINE Status sample_outside(const Trajectory& trajectory, double time, size_t& cursor,
                                      const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
-  const Place place = place_outside(trajectory, time);
-  if (!place.beyond) return sample_inside(trajectory, place.time, place.negate, cursor, outputs, i, evaluate);
-  const Extrapolation& side = *place.beyond;
-  if (side.rule == Extrapolate::error) return write_fault(Status::time_range, outputs, i);
+  const Place place = place_outside(trajectory.timeline, time);
+  if (!place.has_value) return write_fault(Status::time_range, outputs, i);
+  const bool negate = place.is_odd_round && trajectory.negate_on_wrap;
+  if (!place.beyond) return sample_inside(trajectory, place.time, negate, cursor, outputs, i, evaluate);
+  const GreatCircle& circle = circle_beyond(trajectory, place);
   const RateRequest request = rate_request(outputs);
   SampleRow<Real> row;
   double q[4];
-  extrapolate(side, time, q);
+  extrapolate(circle, place.time, q);
   each_of<4>([&](size_t k) { row.q[k] = static_cast<Real>(q[k]); });
-  const auto& omega = request.frame == Frame::world ? side.omega_world : side.omega_body;
+  const auto& omega = request.frame == Frame::world ? circle.omega_world : circle.omega_body;
   if (!extrapolated_rates(omega, request, row)) return write_fault(Status::not_finite, outputs, i);
   write_row<true>(row, outputs, i);
   return Status::ok;
@@ -183,7 +184,7 @@ template <class Real>
 QTRAJ_INLINE Status sample_row(const Trajectory& trajectory, double time, size_t& cursor,
                                const SampleOutputs<Real>& outputs, size_t i, EvaluateRow<Real>* evaluate) {
   if (!is_finite(time)) return write_fault(Status::not_finite, outputs, i);
-  if (!is_inside(trajectory, time)) return sample_outside(trajectory, time, cursor, outputs, i, evaluate);
+  if (!is_inside(trajectory.timeline, time)) return sample_outside(trajectory, time, cursor, outputs, i, evaluate);
   return sample_inside(trajectory, time, false, cursor, outputs, i, evaluate);
 }
 
@@ -198,13 +199,13 @@ inline void keep_first(Status status, size_t i, Outcome& outcome) {
 template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
 Status sample_one(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<Real>& outputs) {
   if (!is_finite(time)) return write_fault(Status::not_finite, outputs, 0);
-  if (!is_inside(trajectory, time))
+  if (!is_inside(trajectory.timeline, time))
     return sample_outside(trajectory, time, cursor, outputs, 0,
                           row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs));
-  const KnotIndex index = knot_index(trajectory);
+  const KnotIndex index = knot_index(trajectory.timeline);
   const size_t segment = find_segment(index, time, cursor);
   cursor = segment;
-  if (is_in_gap(trajectory, index.knots, segment, time)) return write_fault(Status::gap, outputs, 0);
+  if (is_in_gap(trajectory.timeline, index.knots, segment, time)) return write_fault(Status::gap, outputs, 0);
   const double elapsed = time - index.knots[segment];
   if constexpr (std::is_same_v<Real, float>)
     if (trajectory.range == ExponentRange::any)

@@ -6,10 +6,10 @@
 
 namespace qtraj {
 
-Status uniform_count(const Trajectory& trajectory, double start, double step, size_t& count) {
+Status uniform_count(const Timeline& timeline, double start, double step, size_t& count) {
   if (step == 0) return Status::value;
   if (!is_finite(start) || !is_finite(step)) return Status::not_finite;
-  const double first = trajectory.before.reach, last = trajectory.after.reach;
+  const double first = timeline.before.reach, last = timeline.after.reach;
   if (start < first || start > last) return Status::time_range;
 
   const TimeSource source = {nullptr, start, step};

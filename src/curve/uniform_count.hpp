@@ -8,6 +8,6 @@ namespace qtraj {
 
 // The number of rows start + (double)i step, rounded twice, from i = 0 on, that lie within the knots; those next to an
 // end count as it. not_finite; value where step is 0; time_range where start is outside; size past 2^53 rows.
-Status uniform_count(const Trajectory& trajectory, double start, double step, size_t& count);
+Status uniform_count(const Timeline& timeline, double start, double step, size_t& count);
 
 }  // namespace qtraj

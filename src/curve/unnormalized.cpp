@@ -44,9 +44,9 @@ bool evaluate(const NormalizedSegment<Degree>& segment, double elapsed, const Un
 
 Status evaluate_inside(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
                        Point& point) {
-  const KnotIndex index = knot_index(trajectory);
+  const KnotIndex index = knot_index(trajectory.timeline);
   cursor = find_segment(index, time, cursor);
-  if (is_in_gap(trajectory, index.knots, cursor, time)) return Status::gap;
+  if (is_in_gap(trajectory.timeline, index.knots, cursor, time)) return Status::gap;
   const double elapsed = time - index.knots[cursor];
   const bool fits = trajectory.kind == SegmentKind::normalized
                         ? evaluate(segments_of<NormalizedSegment<1>>(trajectory)[cursor], elapsed, outputs, point)
@@ -54,30 +54,30 @@ Status evaluate_inside(const Trajectory& trajectory, double time, size_t& cursor
   return fits ? Status::ok : Status::not_finite;
 }
 
-// HOLD and CONSTANT_RATE: the great circle m cos x + e sin x, x = rate (t - knot).
-bool evaluate_circle(const Extrapolation& side, double time, const UnnormalizedOutputs& outputs, Point& point) {
-  extrapolate(side, time, point.value);
-  if (side.rate == 0) return true;
-  const bool past_far = time > side.knot ? time > side.far_time : time < side.far_time;
-  const SinCos at = sin_cos(side.rate * ((past_far ? side.far_time : time) - side.knot));
+// HOLD and CONSTANT_RATE.
+bool evaluate_circle(const GreatCircle& circle, double time, const UnnormalizedOutputs& outputs, Point& point) {
+  extrapolate(circle, time, point.value);
+  if (circle.rate == 0) return true;
+  const SinCos at = sin_cos(circle.angle(time));
   for (size_t k = 0; k < 4; ++k) {
-    point.first[k] = side.e[k] * at.cos - side.m[k] * at.sin;
+    point.first[k] = circle.e[k] * at.cos - circle.m[k] * at.sin;
     point.second[k] = -point.value[k];
   }
-  return scale_to_time(point, side.rate, outputs);
+  return scale_to_time(point, circle.rate, outputs);
 }
 
 // not_finite, time_range, gap or ok.
 Status evaluate_at(const Trajectory& trajectory, double time, size_t& cursor, const UnnormalizedOutputs& outputs,
                    Point& point) {
-  if (is_inside(trajectory, time)) return evaluate_inside(trajectory, time, cursor, outputs, point);
-  const Place place = place_outside(trajectory, time);
+  if (is_inside(trajectory.timeline, time)) return evaluate_inside(trajectory, time, cursor, outputs, point);
+  const Place place = place_outside(trajectory.timeline, time);
+  if (!place.has_value) return Status::time_range;
   if (place.beyond) {
-    if (place.beyond->rule == Extrapolate::error) return Status::time_range;
-    return evaluate_circle(*place.beyond, time, outputs, point) ? Status::ok : Status::not_finite;
+    const bool fits = evaluate_circle(circle_beyond(trajectory, place), place.time, outputs, point);
+    return fits ? Status::ok : Status::not_finite;
   }
   const Status status = evaluate_inside(trajectory, place.time, cursor, outputs, point);
-  if (place.negate)
+  if (place.is_odd_round && trajectory.negate_on_wrap)
     for (double(*array)[4] : {&point.value, &point.first, &point.second})
       for (double& component : *array) component = -component;
   return status;

@@ -62,7 +62,7 @@ class Quotient {
 
 CommonUnit::CommonUnit(const Trajectory& trajectory, Quantity quantity) : trajectory_(trajectory), quantity_(quantity) {
   int largest = INT_MIN;
-  for (size_t segment = 0; segment + 1 < trajectory.key_count; ++segment) {
+  for (size_t segment = 0; segment + 1 < trajectory.timeline.key_count; ++segment) {
     const double size = size_of_rates(trajectory, segment), h = duration(trajectory, segment);
     if (size == 0) continue;
     const int exponent = 2 * exponent_of(size) - twice_power(quantity) * exponent_of(h);

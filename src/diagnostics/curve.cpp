@@ -26,7 +26,7 @@ bool jump(const SegmentMotion& left, const Vector3& left_rate, const SegmentMoti
 // The jumps between two segments; outputs may be null.
 bool jumps_between(const Trajectory& trajectory, size_t before, size_t after, Frame frame, double* omega_jump,
                    double* alpha_jump) {
-  const double* knots = knots_of(trajectory);
+  const double* knots = knots_of(trajectory.timeline);
   const bool omega = omega_jump != nullptr, alpha = alpha_jump != nullptr;
   SegmentMotion left, right;
   return segment_motion(trajectory, before, knots[before + 1] - knots[before], omega, alpha, left) &&
@@ -42,7 +42,7 @@ void fill(double* row, double value) {
 }  // namespace
 
 Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jump, double* alpha_jump) {
-  const size_t last = trajectory.key_count - 1;
+  const size_t last = trajectory.timeline.key_count - 1;
   Outcome outcome;
   for (size_t knot = 0; knot <= last; ++knot) {
     double* omega_row = omega_jump ? omega_jump + 3 * knot : nullptr;
@@ -73,12 +73,12 @@ double norm_at(const NormalizedSegment<Degree>& segment, double s) {
 
 template <size_t Degree>
 LeastNorm least_norm_of(const Trajectory& trajectory) {
-  const double* knots = knots_of(trajectory);
+  const double* knots = knots_of(trajectory.timeline);
   const auto* segments = segments_of<NormalizedSegment<Degree>>(trajectory);
   // |p|^2 has at most `Degree` minima in a segment; samples this close tell them apart
   constexpr int kIntervals = 32;
   LeastNorm least = {1.0, knots[0]};
-  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) {
+  for (size_t i = 0; i + 1 < trajectory.timeline.key_count; ++i) {
     const auto position = [](int k) { return -1.0 + 2.0 * k / kIntervals; };
     const auto negated = [&](double s, double& value) {
       value = -norm_at(segments[i], s);
@@ -113,7 +113,7 @@ LeastNorm least_norm_of(const Trajectory& trajectory) {
 LeastNorm least_norm(const Trajectory& trajectory) {
   if (trajectory.kind == SegmentKind::normalized) return least_norm_of<1>(trajectory);
   if (trajectory.kind == SegmentKind::normalized_quintic) return least_norm_of<5>(trajectory);
-  return {1.0, knots_of(trajectory)[0]};
+  return {1.0, knots_of(trajectory.timeline)[0]};
 }
 
 }  // namespace qtraj

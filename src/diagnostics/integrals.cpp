@@ -47,7 +47,7 @@ class Integration {
  private:
   static constexpr Piece kWhole = {0.0, 1.0};
 
-  size_t segments() const { return trajectory_.key_count - 1; }
+  size_t segments() const { return trajectory_.timeline.key_count - 1; }
   bool is_angle() const { return quantity_ == Quantity::angle; }
 
   void enter(size_t segment) {

@@ -41,7 +41,7 @@ class PeakSearch {
   }
 
  private:
-  size_t segments() const { return trajectory_.key_count - 1; }
+  size_t segments() const { return trajectory_.timeline.key_count - 1; }
   bool is_omega() const { return quantity_ == Quantity::omega; }
   double of(const RateBounds& bounds) const { return is_omega() ? bounds.omega : bounds.alpha; }
   double weighted(double size) const { return size >= kNoBound ? kNoBound : weight_(size); }

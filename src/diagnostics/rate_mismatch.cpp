@@ -34,8 +34,8 @@ Vector3 step_of(const Trajectory& trajectory, size_t segment) {
 
 Outcome rate_mismatch(const Trajectory& trajectory, RateMismatch& worst) {
   worst = {0.0, 0};
-  const double* knots = knots_of(trajectory);
-  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) {
+  const double* knots = knots_of(trajectory.timeline);
+  for (size_t i = 0; i + 1 < trajectory.timeline.key_count; ++i) {
     const double h = knots[i + 1] - knots[i];
     SegmentMotion start, end;
     if (!segment_motion(trajectory, i, 0.0, true, false, start) || !segment_motion(trajectory, i, h, true, false, end))

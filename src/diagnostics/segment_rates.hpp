@@ -16,11 +16,11 @@ struct RatesInSegment {
 bool rates_in_segment(const Trajectory& trajectory, size_t segment, double s, bool with_alpha, RatesInSegment& rates);
 
 inline double duration(const Trajectory& trajectory, size_t segment) {
-  const double* knots = knots_of(trajectory);
+  const double* knots = knots_of(trajectory.timeline);
   return knots[segment + 1] - knots[segment];
 }
 inline double time_in_segment(const Trajectory& trajectory, size_t segment, double s) {
-  const double* knots = knots_of(trajectory);
+  const double* knots = knots_of(trajectory.timeline);
   return s < 1.0 ? knots[segment] + 0.5 * (s + 1.0) * duration(trajectory, segment) : knots[segment + 1];
 }
 

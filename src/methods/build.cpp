@@ -2,10 +2,9 @@
 
 #include <cfloat>
 
-#include "base/times.hpp"
-#include "curve/knot_lookup.hpp"
 #include "math/so3.hpp"
 #include "methods/method.hpp"
+#include "methods/timeline_builder.hpp"
 
 namespace qtraj {
 namespace {
@@ -15,57 +14,31 @@ Element* at_offset(void* block, size_t bytes) {
   return reinterpret_cast<Element*>(static_cast<char*>(block) + bytes);
 }
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr size_t kKeyBytes = 4 * sizeof(double);
-constexpr size_t kKnotBytes = sizeof(double) + Guide::entries(1) * sizeof(uint64_t);
 
 // How far from the knot the arc still has a direction: 2^50 rad, or 2^1000 s.
 double far_distance(double rate) { return rate > 0x1p-950 ? 0x1p50 / rate : 0x1p1000; }
 
-Extrapolation extrapolation_at(const EndSetting& setting, double knot, double forward, const Quaternion& key,
-                               const Vector3& omega_body) {
-  Extrapolation side = {};
-  side.rule = setting.extrapolate;
-  side.knot = knot;
-  store(key, side.m);
-  if (setting.extrapolate == Extrapolate::constant_rate) {
+GreatCircle circle_at(Extrapolate rule, double knot, double forward, const Quaternion& key, const Vector3& omega_body) {
+  GreatCircle circle = {};
+  circle.knot = knot;
+  store(key, circle.m);
+  if (rule == Extrapolate::constant_rate) {
     const double largest = largest_component(omega_body);
     if (largest > 0) {
       const Vector3 scaled = omega_body / largest;
       const double scaled_length = length(scaled);
-      side.rate = 0.5 * largest * scaled_length;
-      store(multiply(key, quaternion(0.0, scaled / scaled_length)), side.e);
-      store(omega_body, side.omega_body);
-      store(Vector3(largest * to_world(key, scaled)), side.omega_world);
+      circle.rate = 0.5 * largest * scaled_length;
+      store(multiply(key, quaternion(0.0, scaled / scaled_length)), circle.e);
+      store(omega_body, circle.omega_body);
+      store(Vector3(largest * to_world(key, scaled)), circle.omega_world);
     }
   }
-  const double distance = forward * far_distance(side.rate);
+  const double distance = forward * far_distance(circle.rate);
   // the sum may overflow
   const bool room = std::abs(0.5 * knot + 0.5 * distance) < 0.5 * DBL_MAX;
-  side.far_time = room ? knot + distance : forward * DBL_MAX;
-  return side;
-}
-
-void set_reach(Trajectory& trajectory) {
-  Extrapolation &before = trajectory.before, &after = trajectory.after;
-  const double reach = end_reach(before.knot, after.knot);
-  before.reach = std::max(before.knot, reach - DBL_MAX) - reach;
-  after.reach = std::min(after.knot, DBL_MAX - reach) + reach;
-}
-
-void set_period(const Options& options, Trajectory& trajectory) {
-  const double first = trajectory.before.knot, last = trajectory.after.knot;
-  // before 0 a normal number: a subnormal one is 0 where a processor was told so
-  const double before_last = last == 0 ? -DBL_MIN : std::nextafter(last, first);
-  trajectory.last_inside = options.wraps() ? before_last : last;
-  trajectory.half_period =
-      options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);
-}
-
-double longest_interval(const Keyframes& keys) {
-  double longest = 0;
-  for (size_t i = 0; i < keys.segments(); ++i) longest = std::max(longest, keys.step(i));
-  return longest;
+  circle.far_time = room ? knot + distance : forward * DBL_MAX;
+  return circle;
 }
 
 // The outcome of a builder with the index of a key as the caller counts it. A key that was added to close the curve has
@@ -112,9 +85,8 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   *trajectory = {};
   trajectory->method = options.method;
   trajectory->kind = row.kind;
-  trajectory->key_count = count;
-  trajectory->guide_offset = sizeof(Trajectory) + count * sizeof(double);
-  trajectory->keys_offset = trajectory->guide_offset + Guide::entries(count) * sizeof(uint64_t);
+  place_knots(count, sizeof(Trajectory) - offsetof(Trajectory, timeline), trajectory->timeline);
+  trajectory->keys_offset = sizeof(Trajectory) + count * kKnotBytes;
   trajectory->segments_offset = trajectory->keys_offset + count * kKeyBytes;
 
   Keyframes keys = {at_offset<double>(handle, sizeof(Trajectory)),
@@ -127,8 +99,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   if (options.closed() || options.wraps())
     outcome = close_keyframes(options.closure, options.turns == Turns::as_given, keys, report);
   if (outcome.status != Status::ok) return outcome;
-  build_guide(keys.times, count, at_offset<uint64_t>(handle, trajectory->guide_offset), trajectory->guide_scale,
-              trajectory->guide_candidates);
+  build_timeline(options, options.method == Method{QTRAJ_STEP}, trajectory->timeline);
 
   Construction construction = {options,
                                input,
@@ -147,11 +118,11 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   trajectory->worst_norm_error = report.worst_norm_error;
   trajectory->least_dot = report.least_dot;
   const size_t last = keys.segments();
-  trajectory->before = extrapolation_at(options.start, keys.times[0], -1.0, keys[0].value, construction.omega_start);
-  trajectory->after = extrapolation_at(options.end, keys.times[last], 1.0, keys[last].value, construction.omega_end);
-  set_reach(*trajectory);
-  set_period(options, *trajectory);
-  trajectory->longest_gap = longest_interval(keys) > options.longest_gap ? options.longest_gap : kInfinity;
+  const Timeline& timeline = trajectory->timeline;
+  trajectory->before =
+      circle_at(timeline.before.rule, timeline.before.knot, -1.0, keys[0].value, construction.omega_start);
+  trajectory->after =
+      circle_at(timeline.after.rule, timeline.after.knot, 1.0, keys[last].value, construction.omega_end);
   trajectory->closed = options.closed() || options.wraps();
   trajectory->negate_on_wrap = dot(keys[0].value, keys[last].value) < 0;
   trajectory->tag = Trajectory::kTag;

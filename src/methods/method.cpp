@@ -3,6 +3,7 @@
 
 namespace qtraj {
 
+Outcome build_step(Construction& construction);
 Outcome build_slerp(Construction& construction);
 Outcome build_turning_slerp(Construction& construction);
 Outcome build_nlerp(Construction& construction);
@@ -50,6 +51,7 @@ constexpr MethodRow kMethods[] = {
      false, true, true, kTurnsOfRates, 0, build_rotation_quintic},
     {Method{QTRAJ_QUATERNION_QUINTIC}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
      true, true, kShortest, 0, build_quaternion_quintic},
+    {Method{QTRAJ_STEP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kShortest, 0, build_step},
 };
 
 // SLERP past a half turn: arcs are half turns at most.

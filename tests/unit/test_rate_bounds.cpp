@@ -140,7 +140,7 @@ void check_segment(const qtraj::Trajectory& trajectory, size_t index, test::Rand
 }
 
 void check_curve(const qtraj::Trajectory& trajectory, test::Random& random) {
-  for (size_t i = 0; i + 1 < trajectory.key_count; ++i) switch (trajectory.kind) {
+  for (size_t i = 0; i + 1 < trajectory.timeline.key_count; ++i) switch (trajectory.kind) {
       case qtraj::SegmentKind::arc:
         check_segment<qtraj::ArcSegment>(trajectory, i, random);
         break;
@@ -189,7 +189,7 @@ TEST_CASE("bounds of rates hold where a rotation vector is many turns long", "[d
 TEST_CASE("the bounds of pieces tend to the rates", "[diagnostics][bounds]") {
   for (const test::KernelCurve& curve : test::kernel_curves(QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_HOLD)) {
     CAPTURE(curve.name);
-    for (size_t i = 0; i + 1 < curve.core().key_count; ++i) {
+    for (size_t i = 0; i + 1 < curve.core().timeline.key_count; ++i) {
       qtraj::RatesInSegment rates;
       if (!qtraj::rates_in_segment(curve.core(), i, 0.25, true, rates)) continue;
       const qtraj::PieceBounds bounds = qtraj::piece_bounds(curve.core(), i, {0.25, 1e-9});

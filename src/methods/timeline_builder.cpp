@@ -1,0 +1,52 @@
+#include "methods/timeline_builder.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "base/times.hpp"
+
+namespace qtraj {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void set_reach(Timeline& timeline) {
+  Timeline::Side &before = timeline.before, &after = timeline.after;
+  const double reach = end_reach(before.knot, after.knot);
+  before.reach = std::max(before.knot, reach - DBL_MAX) - reach;
+  after.reach = std::min(after.knot, DBL_MAX - reach) + reach;
+}
+
+double longest_interval(const double* knots, size_t count) {
+  double longest = 0;
+  for (size_t i = 1; i < count; ++i) longest = std::max(longest, knots[i] - knots[i - 1]);
+  return longest;
+}
+
+}  // namespace
+
+void place_knots(size_t count, size_t offset, Timeline& timeline) {
+  timeline.key_count = count;
+  timeline.knots_offset = offset;
+  timeline.guide_offset = offset + count * sizeof(double);
+}
+
+void build_timeline(const Options& options, bool holds_keys, Timeline& timeline) {
+  const double* knots = knots_of(timeline);
+  const size_t count = timeline.key_count;
+  const double first = knots[0], last = knots[count - 1];
+  timeline.before = {options.start.extrapolate, first, first};
+  timeline.after = {options.end.extrapolate, last, last};
+  set_reach(timeline);
+  // before 0 a normal number: a subnormal one is 0 where a processor was told so
+  const double before_last = last == 0 ? -DBL_MIN : std::nextafter(last, first);
+  timeline.last_inside = options.wraps() || holds_keys ? before_last : last;
+  timeline.half_period =
+      options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);
+  timeline.longest_gap = longest_interval(knots, count) > options.longest_gap ? options.longest_gap : kInfinity;
+  auto* guide = reinterpret_cast<uint64_t*>(reinterpret_cast<char*>(&timeline) + timeline.guide_offset);
+  build_guide(knots, count, guide, timeline.guide_scale, timeline.guide_candidates);
+}
+
+}  // namespace qtraj
