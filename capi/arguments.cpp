@@ -48,6 +48,13 @@ bool overlap(const Bytes& a, const Bytes& b) {
   return a_begin < b_begin ? b_begin - a_begin < a.count : a_begin - b_begin < b.count;
 }
 
+bool overlap_any(std::initializer_list<Bytes> arrays) {
+  for (const Bytes* a = arrays.begin(); a != arrays.end(); ++a)
+    for (const Bytes* b = a + 1; b != arrays.end(); ++b)
+      if (overlap(*a, *b)) return true;
+  return false;
+}
+
 bool array_bytes(size_t count, size_t element_bytes, size_t& bytes) {
   if (count > static_cast<size_t>(PTRDIFF_MAX) / element_bytes) return false;
   bytes = count * element_bytes;

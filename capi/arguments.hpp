@@ -6,6 +6,7 @@
 #include "base/array.hpp"
 #include "base/status.hpp"
 #include "curve/trajectory.hpp"
+#include "curve/vector_curve.hpp"
 #include "methods/options.hpp"
 #include "qtraj.h"
 
@@ -19,12 +20,18 @@ struct qtraj_trajectory {
   qtraj::Trajectory core;  // begins with its tag
 };
 
+struct qtraj_vector_curve {
+  qtraj::VectorCurve core;  // the same
+};
+
 namespace qtraj::capi {
 
 // ---- Handles ----
 
-// The first word of options; that of a trajectory is Trajectory::kTag. Both are cleared on destroy.
-constexpr uint64_t kOptionsTag = 0x74706f6a61727471;  // "qtrajopt"
+// The first word of options, of methods of trajectories and of vector curves; those of the curves are
+// Trajectory::kTag and VectorCurve::kTag. All are cleared on destroy.
+constexpr uint64_t kOptionsTag = 0x74706f6a61727471;        // "qtrajopt"
+constexpr uint64_t kVectorOptionsTag = 0x74766f6a61727471;  // "qtrajovt"
 
 // To 8 bytes. Inline: a sample of one time asks for it.
 inline bool is_aligned(const void* memory) { return reinterpret_cast<uintptr_t>(memory) % 8 == 0; }
@@ -36,7 +43,12 @@ Status check_handle(const Handle* handle, uint64_t tag) {
   return is_aligned(handle) && *reinterpret_cast<const uint64_t*>(handle) == tag ? Status::ok : Status::handle;
 }
 inline Status check_handle(const qtraj_trajectory* trajectory) { return check_handle(trajectory, Trajectory::kTag); }
+inline Status check_handle(const qtraj_vector_curve* curve) { return check_handle(curve, VectorCurve::kTag); }
 inline Status check_handle(const qtraj_options* options) { return check_handle(options, kOptionsTag); }
+inline Status check_vector_options(const qtraj_options* options) { return check_handle(options, kVectorOptionsTag); }
+inline Status check_any_options(const qtraj_options* options) {
+  return check_handle(options) == Status::ok ? Status::ok : check_vector_options(options);
+}
 
 // Clears the tag for good: a plain store before free() is one that compilers drop.
 inline void clear_tag(void* handle) { *static_cast<volatile uint64_t*>(handle) = 0; }
@@ -118,6 +130,8 @@ struct Bytes {
   size_t count;
 };
 bool overlap(const Bytes& a, const Bytes& b);
+// Whether any two of them do.
+bool overlap_any(std::initializer_list<Bytes> arrays);
 
 // Bytes of count elements; false where they would exceed PTRDIFF_MAX.
 bool array_bytes(size_t count, size_t element_bytes, size_t& bytes);

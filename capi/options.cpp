@@ -1,6 +1,7 @@
 #include <new>
 
 #include "arguments.hpp"
+#include "methods/method.hpp"
 
 using namespace qtraj;
 using capi::to_c;
@@ -10,10 +11,15 @@ static_assert(alignof(qtraj_options) <= 8);
 
 namespace {
 
+// By their tag constructors tell the two kinds of options apart.
+uint64_t tag_of(const Options& options) {
+  return find_method(options.method) ? capi::kOptionsTag : capi::kVectorOptionsTag;
+}
+
 // Changes options that are some.
 template <class Setter>
 qtraj_status set(qtraj_options* options, const Setter& setter) {
-  const Status handle = capi::check_handle(options);
+  const Status handle = capi::check_any_options(options);
   return to_c(handle != Status::ok ? handle : setter(options->core));
 }
 
@@ -29,7 +35,7 @@ qtraj_status qtraj_options_create(int32_t method, qtraj_options** out) {
   if (status != Status::ok) return to_c(status);
   void* memory = capi::allocate(sizeof(qtraj_options));
   if (!memory) return QTRAJ_E_NO_MEMORY;
-  *out = new (memory) qtraj_options{capi::kOptionsTag, core, true};
+  *out = new (memory) qtraj_options{tag_of(core), core, true};
   return QTRAJ_OK;
 }
 
@@ -41,12 +47,12 @@ qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t method, qtra
   const Status status = Options::make(static_cast<Method>(method), core);
   if (status != Status::ok) return to_c(status);
   if (bytes < QTRAJ_OPTIONS_BYTES || !capi::is_aligned(memory)) return QTRAJ_E_BUFFER;
-  *out = new (memory) qtraj_options{capi::kOptionsTag, core, false};
+  *out = new (memory) qtraj_options{tag_of(core), core, false};
   return QTRAJ_OK;
 }
 
 void qtraj_options_destroy(qtraj_options* options) {
-  if (capi::check_handle(options) != Status::ok) return;
+  if (capi::check_any_options(options) != Status::ok) return;
   const bool on_heap = options->on_heap;
   capi::clear_tag(options);
   if (on_heap) capi::release(options);

@@ -26,14 +26,6 @@ SampleOutputs<Real> outputs(int32_t frame, Real* q_out, Real* omega_out, Real* a
   return {q_out, omega_out, alpha_out, static_cast<Frame>(frame)};
 }
 
-// Whether any two of a call's arrays overlap.
-bool overlap_any(const capi::Bytes (&arrays)[4]) {
-  for (size_t a = 0; a < 4; ++a)
-    for (size_t b = a + 1; b < 4; ++b)
-      if (capi::overlap(arrays[a], arrays[b])) return true;
-  return false;
-}
-
 template <class Real>
 Status check_arrays(const Call<Real>& call, bool times_missing) {
   const SampleOutputs<Real>& outputs = call.outputs;
@@ -47,9 +39,12 @@ Status check_arrays(const Call<Real>& call, bool times_missing) {
       !capi::array_bytes(call.count, 3 * sizeof(Real), rate_bytes))
     return Status::size;
   if (!is_known(outputs.frame)) return Status::value;
-  const capi::Bytes arrays[] = {
-      {call.times.array, time_bytes}, {outputs.q, q_bytes}, {outputs.omega, rate_bytes}, {outputs.alpha, rate_bytes}};
-  return overlap_any(arrays) ? Status::overlap : Status::ok;
+  return capi::overlap_any({{call.times.array, time_bytes},
+                            {outputs.q, q_bytes},
+                            {outputs.omega, rate_bytes},
+                            {outputs.alpha, rate_bytes}})
+             ? Status::overlap
+             : Status::ok;
 }
 
 template <class Real>
@@ -89,9 +84,10 @@ Status check_unnormalized(const qtraj_trajectory* trajectory, const double* time
   if (!capi::array_bytes(count, sizeof(double), time_bytes) || !capi::array_bytes(count, 4 * sizeof(double), row_bytes))
     return Status::size;
   if (!is_unnormalized(trajectory->core)) return Status::setting;
-  const capi::Bytes arrays[] = {
-      {times, time_bytes}, {outputs.value, row_bytes}, {outputs.first, row_bytes}, {outputs.second, row_bytes}};
-  return overlap_any(arrays) ? Status::overlap : Status::ok;
+  return capi::overlap_any(
+             {{times, time_bytes}, {outputs.value, row_bytes}, {outputs.first, row_bytes}, {outputs.second, row_bytes}})
+             ? Status::overlap
+             : Status::ok;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "arguments.hpp"
-#include "functions/spline_curve.hpp"
+#include "methods/spline_curve.hpp"
 
 using namespace qtraj;
 
@@ -19,16 +19,19 @@ extern "C" {
 qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start, int32_t end,
                                 const double* queries, size_t query_count, double* y_out, size_t* bad_index) {
   const End start_end = static_cast<End>(start), end_end = static_cast<End>(end);
-  const size_t doubles = spline_curve_workspace(count, dim);
+  VectorCurveSize size = {};
+  const bool fits = spline_curve_size(count, dim, size);
+  const size_t bytes = fits ? size.handle + size.workspace : SIZE_MAX;
   return capi::call({input<1>(x, count), rows_of_dim(y, count, dim, false), input<1>(queries, query_count),
                      rows_of_dim(y_out, query_count, dim, true),
                      // no array of the caller, but its size is judged with theirs
-                     optional(capi::Argument(nullptr, doubles, 1, sizeof(double), false))},
+                     optional(capi::Argument(nullptr, bytes, 1, 1, false))},
                     capi::at_least(2, count, are_spline_ends(start_end, end_end)), bad_index, [&]() -> Outcome {
-                      auto* memory = static_cast<double*>(capi::allocate(doubles * sizeof(double)));
+                      void* memory = capi::allocate(bytes);
                       if (!memory) return {Status::no_memory, kNoIndex};
-                      const Outcome outcome = sample_spline_curve({x, y, count, dim}, start_end, end_end, queries,
-                                                                  query_count, y_out, memory);
+                      const VectorInput points = {x, {y, false}, {}, {}, count, dim};
+                      const Outcome outcome =
+                          sample_spline_curve(points, start_end, end_end, queries, query_count, y_out, memory, size);
                       capi::release(memory);
                       return outcome;
                     });

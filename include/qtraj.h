@@ -38,7 +38,8 @@
  *   a family has one, and no value elsewhere.
  * @par Topics
  *   @ref qtraj-constants, @ref qtraj-library, @ref qtraj-options, @ref qtraj-construction, @ref qtraj-sampling,
- *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-pairs, @ref qtraj-keys, @ref qtraj-algebra,
+ *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-vector-curves, @ref qtraj-poses, @ref qtraj-pairs,
+ *   @ref qtraj-keys, @ref qtraj-algebra,
  *   @ref qtraj-means, @ref qtraj-sample-diagnostics, @ref qtraj-spline */
 #ifndef QTRAJ_H
 #define QTRAJ_H
@@ -205,6 +206,19 @@ enum qtraj_method_value {
   /** Not continuous: each key is held until the next one; what files prescribe for what jumps. Rates are 0. */
   QTRAJ_STEP = 9
 };
+/** Methods of vector curves, such as positions: how each component goes from key to key. */
+enum qtraj_vector_method_value {
+  /** Not continuous: each key is held until the next one; derivatives are 0. */
+  QTRAJ_VECTOR_STEP = 1001,
+  /** C0: straight lines. */
+  QTRAJ_VECTOR_LINEAR = 1002,
+  /** C2: the cubic spline through the keys; ends NATURAL, NOT_A_KNOT, GIVEN, PERIODIC. */
+  QTRAJ_VECTOR_CUBIC = 1003,
+  /** C1: cubics, the first derivatives at the keys given. */
+  QTRAJ_VECTOR_HERMITE = 1004,
+  /** C2: quintics, first and second derivatives at the keys given. */
+  QTRAJ_VECTOR_QUINTIC = 1005
+};
 /** Frame that angular velocities and accelerations are given in. */
 enum qtraj_frame_value {
   QTRAJ_FRAME_BODY = 101, /**< omega_body = 2 q^-1 q' */
@@ -213,13 +227,17 @@ enum qtraj_frame_value {
 /** End conditions: what determines the curve at its first and at its last key, of the methods that are named.
  * qtraj_cubic_spline() has NATURAL, NOT_A_KNOT and PERIODIC. */
 enum qtraj_end_value {
-  QTRAJ_END_DEFAULT = 0,      /**< SQUAD: CHORD; LOG_SPLINE, cubic_spline: NATURAL; ROTATION_SPLINE: ESTIMATED */
+  QTRAJ_END_DEFAULT = 0,      /**< SQUAD: CHORD; LOG_SPLINE, VECTOR_CUBIC, cubic_spline: NATURAL; ROTATION_SPLINE:
+                                 ESTIMATED */
   QTRAJ_END_CHORD = 201,      /**< rate of the end segment's slerp: SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_NATURAL = 202,    /**< second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE */
-  QTRAJ_END_NOT_A_KNOT = 203, /**< the last two segments are one cubic: LOG_SPLINE */
+  QTRAJ_END_NATURAL = 202,    /**< second derivative (ROTATION_SPLINE: alpha) 0: LOG_SPLINE, ROTATION_SPLINE,
+                                 VECTOR_CUBIC */
+  QTRAJ_END_NOT_A_KNOT = 203, /**< the last two segments are one cubic: LOG_SPLINE, VECTOR_CUBIC */
   QTRAJ_END_ESTIMATED = 204,  /**< rate of a polynomial through the end keys: SQUAD (3 keys), ROTATION_SPLINE (4) */
-  QTRAJ_END_GIVEN = 205,      /**< rate from qtraj_options_set_end_rates(): SQUAD, ROTATION_SPLINE */
-  QTRAJ_END_PERIODIC = 206    /**< goes on at the other end, both ends or none: SQUAD, LOG_SPLINE, ROTATION_SPLINE */
+  QTRAJ_END_GIVEN = 205,   /**< rate from qtraj_options_set_end_rates(): SQUAD, ROTATION_SPLINE; first derivative from
+                              qtraj_vector_create(): VECTOR_CUBIC */
+  QTRAJ_END_PERIODIC = 206 /**< goes on at the other end, both ends or none: SQUAD, LOG_SPLINE, ROTATION_SPLINE,
+                              VECTOR_CUBIC */
 };
 /** SQUAD: the rate of the curve at a key. */
 enum qtraj_tangent_value {
@@ -263,6 +281,9 @@ enum qtraj_path_value {
 /** A curve through keyframes, one block of memory, immutable once built: any number of threads may sample it at once.
  * Made by qtraj_create() and its kin or qtraj_init(), given back with qtraj_destroy(). */
 typedef struct qtraj_trajectory qtraj_trajectory;
+/** A curve of vectors of any length, such as positions, beside a trajectory or alone: one block of memory, immutable
+ * once built. Made by qtraj_vector_create() or qtraj_vector_init(), given back with qtraj_vector_destroy(). */
+typedef struct qtraj_vector_curve qtraj_vector_curve;
 /** A method and its settings, reusable for any number of trajectories, which keep nothing of it. Made by
  * qtraj_options_create() or qtraj_options_init(), given back with qtraj_options_destroy(). One thread at a time. */
 typedef struct qtraj_options qtraj_options;
@@ -336,7 +357,7 @@ QTRAJ_API const char* qtraj_target(void);
 
 /** New options of a method with its default settings, on the heap.
  *
- * @param method  a qtraj_method_value
+ * @param method  a qtraj_method_value, or for vector curves a qtraj_vector_method_value
  * @param out     receives the options, owned: free them with qtraj_options_destroy(); NULL on every error
  * @return QTRAJ_OK, or QTRAJ_E_NULL (out), QTRAJ_E_VALUE (unknown method), QTRAJ_E_NO_MEMORY: no options */
 QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out);
@@ -345,7 +366,7 @@ QTRAJ_API qtraj_status qtraj_options_create(int32_t method, qtraj_options** out)
  *
  * @param memory  [bytes], aligned to 8 bytes; must outlive the options and stay in place
  * @param bytes   QTRAJ_OPTIONS_BYTES or more
- * @param method  a qtraj_method_value
+ * @param method  a qtraj_method_value, or for vector curves a qtraj_vector_method_value
  * @param out     receives the options, which need no qtraj_options_destroy(); NULL on every error
  * @return QTRAJ_OK, or QTRAJ_E_NULL (out, memory), QTRAJ_E_VALUE (unknown method), QTRAJ_E_BUFFER (memory too small or
  *   not aligned): no options, memory is untouched */
@@ -356,7 +377,7 @@ QTRAJ_API qtraj_status qtraj_options_init(void* memory, size_t bytes, int32_t me
  * @param options  memory of qtraj_options_init() stays the caller's; NULL and what are no options are left alone */
 QTRAJ_API void qtraj_options_destroy(qtraj_options* options);
 
-/** Sets the end conditions at the first and at the last key, of SQUAD, LOG_SPLINE or ROTATION_SPLINE.
+/** Sets the end conditions at the first and at the last key, of SQUAD, LOG_SPLINE, ROTATION_SPLINE or VECTOR_CUBIC.
  *
  * A rate that is stored for an end is dropped where that end becomes other than QTRAJ_END_GIVEN.
  *
@@ -445,8 +466,8 @@ QTRAJ_API qtraj_status qtraj_options_set_period(qtraj_options* options, double p
  * Of PERIODIC ends or extrapolation. The curve goes through the first key at both ends, up to its sign.
  *
  * @param options  changed
- * @param angle    rad, 0 to pi, the rotation angle between the two keys; 1e-6 unless set; keys written with five
- *                 decimals need 3e-5
+ * @param angle    rad, 0 to pi, the rotation angle between the two keys; of vector curves the difference of a component
+ *                 over its largest magnitude; 1e-6 unless set; keys written with five decimals need 3e-5
  * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (not in this range) */
 QTRAJ_API qtraj_status qtraj_options_set_closure(qtraj_options* options, double angle);
 
@@ -1147,6 +1168,351 @@ QTRAJ_API qtraj_status qtraj_curve_energy(const qtraj_trajectory* trajectory, do
  * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_NO_CONVERGENCE (nothing is proven, as of peaks): nothing
  *   is written */
 QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajectory, double* angle);
+
+/** @} */
+
+/* ---- Vector curves: positions and other numbers beside a trajectory ---- */
+
+/** @defgroup qtraj-vector-curves Vector curves
+ * Curves of vectors of any length, such as positions, beside a trajectory or alone. Knots, order of times, gaps, ends,
+ * loops, extrapolation and statuses are those of trajectories; options are made with a qtraj_vector_method_value. Each
+ * component is a curve of its own; at a knot it is the key, at equal keys without slopes a constant. Sampling never
+ * allocates, and has the same bits on every processor.
+ * @{ */
+
+/** Builds a vector curve through keys.
+ *
+ * @param options    of a qtraj_vector_method_value, read during the call
+ * @param times      [count], s, strictly increasing: the knots
+ * @param values     [count][dim], the keys
+ * @param first      [count][dim], 1/s, first derivatives at the keys, for HERMITE and QUINTIC; [2][dim], at the first
+ *                   and the last key, for CUBIC with a GIVEN end (the row of another end is not read); else NULL
+ * @param second     [count][dim], 1/s^2, second derivatives at the keys, for QUINTIC; else NULL
+ * @param count      number of keys, 2 or more
+ * @param dim        numbers a key, 1 or more
+ * @param out        receives the curve, owned: free it with qtraj_vector_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a curve
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE (also: options of a trajectory's method), QTRAJ_E_TOO_FEW (count or dim),
+ *     QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED (first or second), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index;
+ *   - QTRAJ_E_RATE_TOO_FAST: a derivative of the key at bad_index, for an interval beside it;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC ends or extrapolation, and the last key, at bad_index, does not return to the
+ *     first */
+QTRAJ_API qtraj_status qtraj_vector_create(const qtraj_options* options, const double* times, const double* values,
+                                           const double* first, const double* second, size_t count, size_t dim,
+                                           qtraj_vector_curve** out, size_t* bad_index);
+
+/** Builds a vector curve through keys of float: twin of qtraj_vector_create().
+ *
+ * Values and derivatives are read as float, the times as double, and the curve is built in double.
+ *
+ * @param options    of a qtraj_vector_method_value, read during the call
+ * @param times      [count], s, strictly increasing: the knots
+ * @param values     [count][dim], the keys
+ * @param first      [count][dim], 1/s, first derivatives at the keys, for HERMITE and QUINTIC; [2][dim], at the first
+ *                   and the last key, for CUBIC with a GIVEN end (the row of another end is not read); else NULL
+ * @param second     [count][dim], 1/s^2, second derivatives at the keys, for QUINTIC; else NULL
+ * @param count      number of keys, 2 or more
+ * @param dim        numbers a key, 1 or more
+ * @param out        receives the curve, owned: free it with qtraj_vector_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return as qtraj_vector_create() */
+QTRAJ_API qtraj_status qtraj_vector_create_f32(const qtraj_options* options, const double* times, const float* values,
+                                               const float* first, const float* second, size_t count, size_t dim,
+                                               qtraj_vector_curve** out, size_t* bad_index);
+
+/** Bytes that qtraj_vector_init() and qtraj_vector_init_f32() need, working space included.
+ *
+ * @param options  of a qtraj_vector_method_value, read during the call
+ * @param count    number of keys, 2 or more
+ * @param dim      numbers a key, 1 or more
+ * @param bytes    receives the number of bytes
+ * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE: nothing is written */
+QTRAJ_API qtraj_status qtraj_vector_init_size(const qtraj_options* options, size_t count, size_t dim, size_t* bytes);
+
+/** Builds a vector curve through keys in the caller's memory; nothing is allocated.
+ *
+ * @param memory     [bytes], aligned to 8 bytes, overlapping no input; must outlive the curve and stay in place
+ * @param bytes      qtraj_vector_init_size() of the same options, count and dim, or more
+ * @param options    of a qtraj_vector_method_value, read during the call
+ * @param times      [count], s, strictly increasing: the knots
+ * @param values     [count][dim], the keys
+ * @param first      as of qtraj_vector_create()
+ * @param second     as of qtraj_vector_create()
+ * @param count      number of keys, 2 or more
+ * @param dim        numbers a key, 1 or more
+ * @param out        receives the curve, which needs no qtraj_vector_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return as qtraj_vector_create(), without NO_MEMORY, and QTRAJ_E_BUFFER (memory too small or not aligned),
+ *   QTRAJ_E_OVERLAP: memory is untouched */
+QTRAJ_API qtraj_status qtraj_vector_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                         const double* values, const double* first, const double* second, size_t count,
+                                         size_t dim, qtraj_vector_curve** out, size_t* bad_index);
+
+/** Builds a vector curve through keys of float in the caller's memory: twin of qtraj_vector_init().
+ *
+ * @param memory     [bytes], aligned to 8 bytes, overlapping no input; must outlive the curve and stay in place
+ * @param bytes      qtraj_vector_init_size() of the same options, count and dim, or more
+ * @param options    of a qtraj_vector_method_value, read during the call
+ * @param times      [count], s, strictly increasing: the knots
+ * @param values     [count][dim], the keys
+ * @param first      as of qtraj_vector_create_f32()
+ * @param second     as of qtraj_vector_create_f32()
+ * @param count      number of keys, 2 or more
+ * @param dim        numbers a key, 1 or more
+ * @param out        receives the curve, which needs no qtraj_vector_destroy(); NULL on every error
+ * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return as qtraj_vector_init() */
+QTRAJ_API qtraj_status qtraj_vector_init_f32(void* memory, size_t bytes, const qtraj_options* options,
+                                             const double* times, const float* values, const float* first,
+                                             const float* second, size_t count, size_t dim, qtraj_vector_curve** out,
+                                             size_t* bad_index);
+
+/** Ends the life of a vector curve, and frees one on the heap. Used after it, it is QTRAJ_E_HANDLE.
+ *
+ * @param curve  memory of qtraj_vector_init() stays the caller's; NULL and what is no vector curve are left alone */
+QTRAJ_API void qtraj_vector_destroy(qtraj_vector_curve* curve);
+
+/** Samples vectors and their derivatives at many times.
+ *
+ * A derivative that jumps at a knot has its right-hand value there, at the last knot its left-hand one, unless the
+ * curve repeats.
+ *
+ * @param curve       the curve; not NULL, also where count is 0
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param value_out   [count][dim]; may be NULL, but not all three outputs
+ * @param first_out   [count][dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [count][dim], 1/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of any two arrays): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a number that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
+QTRAJ_API qtraj_status qtraj_vector_sample(const qtraj_vector_curve* curve, const double* times, size_t count,
+                                           double* value_out, double* first_out, double* second_out, size_t* bad_index);
+
+/** Samples vectors and their derivatives at many times into float: twin of qtraj_vector_sample().
+ *
+ * Computes in double and rounds once.
+ *
+ * @param curve       the curve, of double or float keys; not NULL, also where count is 0
+ * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param value_out   [count][dim]; may be NULL, but not all three outputs
+ * @param first_out   [count][dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [count][dim], 1/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_vector_sample(); NOT_FINITE also for a number too large for float */
+QTRAJ_API qtraj_status qtraj_vector_sample_f32(const qtraj_vector_curve* curve, const double* times, size_t count,
+                                               float* value_out, float* first_out, float* second_out,
+                                               size_t* bad_index);
+
+/** Samples vectors and their derivatives at a fixed rate: at start + (double)i * step, rounded twice.
+ *
+ * @param curve       the curve; not NULL, also where count is 0
+ * @param start       s, time of row 0
+ * @param step        s, from row to row; may be 0 or negative
+ * @param count       number of samples, as of qtraj_vector_uniform_count(); where it is 0 outputs may be NULL
+ * @param value_out   [count][dim]; may be NULL, but not all three outputs
+ * @param first_out   [count][dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [count][dim], 1/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_vector_sample() */
+QTRAJ_API qtraj_status qtraj_vector_sample_uniform(const qtraj_vector_curve* curve, double start, double step,
+                                                   size_t count, double* value_out, double* first_out,
+                                                   double* second_out, size_t* bad_index);
+
+/** Samples vectors and their derivatives at a fixed rate into float: twin of qtraj_vector_sample_uniform().
+ *
+ * @param curve       the curve, of double or float keys; not NULL, also where count is 0
+ * @param start       s, time of row 0
+ * @param step        s, from row to row; may be 0 or negative
+ * @param count       number of samples, as of qtraj_vector_uniform_count(); where it is 0 outputs may be NULL
+ * @param value_out   [count][dim]; may be NULL, but not all three outputs
+ * @param first_out   [count][dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [count][dim], 1/s^2; may be NULL, but not all three outputs
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_vector_sample_f32() */
+QTRAJ_API qtraj_status qtraj_vector_sample_uniform_f32(const qtraj_vector_curve* curve, double start, double step,
+                                                       size_t count, float* value_out, float* first_out,
+                                                       float* second_out, size_t* bad_index);
+
+/** Samples a vector and its derivatives at one time, for control loops.
+ *
+ * @param curve       the curve
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
+ * @param value_out   [dim]; may be NULL, but not all three outputs
+ * @param first_out   [dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [dim], 1/s^2; may be NULL, but not all three outputs
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (time, or a number that overflows), QTRAJ_E_TIME_RANGE (time outside the knots under
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: every output is NaN */
+QTRAJ_API qtraj_status qtraj_vector_sample_at(const qtraj_vector_curve* curve, double time, size_t* cursor,
+                                              double* value_out, double* first_out, double* second_out);
+
+/** Samples a vector and its derivatives at one time into float: twin of qtraj_vector_sample_at().
+ *
+ * @param curve       the curve, of double or float keys
+ * @param time        s; outside the knots the curve's extrapolation decides
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment to try first, never changes the result;
+ *                    receives the segment used, or stays as it is where there is none; may be NULL
+ * @param value_out   [dim]; may be NULL, but not all three outputs
+ * @param first_out   [dim], 1/s; may be NULL, but not all three outputs
+ * @param second_out  [dim], 1/s^2; may be NULL, but not all three outputs
+ * @return as qtraj_vector_sample_at(); NOT_FINITE also for a number too large for float */
+QTRAJ_API qtraj_status qtraj_vector_sample_at_f32(const qtraj_vector_curve* curve, double time, size_t* cursor,
+                                                  float* value_out, float* first_out, float* second_out);
+
+/** Number of samples at a fixed rate that lie within the knots: the count for qtraj_vector_sample_uniform().
+ *
+ * @param curve  the curve
+ * @param start  s, time of row 0, within the knots
+ * @param step   s, from row to row; may be negative
+ * @param count  receives the number, 1 or more; 0 on every error
+ * @return as qtraj_uniform_count() */
+QTRAJ_API qtraj_status qtraj_vector_uniform_count(const qtraj_vector_curve* curve, double start, double step,
+                                                  size_t* count);
+
+/** Method that a vector curve was built with.
+ *
+ * @param curve  may be NULL
+ * @return a qtraj_vector_method_value; 0 for NULL */
+QTRAJ_API int32_t qtraj_vector_method(const qtraj_vector_curve* curve);
+
+/** Number of keys, with the one that qtraj_options_set_period() adds.
+ *
+ * @param curve  may be NULL
+ * @return 2 or more; 0 for NULL */
+QTRAJ_API size_t qtraj_vector_key_count(const qtraj_vector_curve* curve);
+
+/** Numbers in a key.
+ *
+ * @param curve  may be NULL
+ * @return 1 or more; 0 for NULL */
+QTRAJ_API size_t qtraj_vector_dim(const qtraj_vector_curve* curve);
+
+/** First knot.
+ *
+ * @param curve  may be NULL
+ * @return s; NaN for NULL */
+QTRAJ_API double qtraj_vector_start_time(const qtraj_vector_curve* curve);
+
+/** Last knot.
+ *
+ * @param curve  may be NULL
+ * @return s; NaN for NULL */
+QTRAJ_API double qtraj_vector_end_time(const qtraj_vector_curve* curve);
+
+/** Copies the knots and keys as the curve uses them.
+ *
+ * @param curve       the curve
+ * @param times_out   [key_count], s; may be NULL
+ * @param values_out  [key_count][dim]; may be NULL
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (curve), QTRAJ_E_HANDLE, QTRAJ_E_OVERLAP (of the two outputs): nothing is
+ *   written */
+QTRAJ_API qtraj_status qtraj_vector_keys(const qtraj_vector_curve* curve, double* times_out, double* values_out);
+
+/** @} */
+
+/* ---- Whole poses ---- */
+
+/** @defgroup qtraj-poses Poses
+ * Orientations and positions at the same times.
+ * @{ */
+
+/** Samples orientations and positions, and their rates, at the same times.
+ *
+ * A row that one of the two curves has no value for is NaN in every output, so that a pose is whole or missing.
+ *
+ * @param trajectory  the curve of orientations; not NULL, also where count is 0
+ * @param positions   the curve of positions, of any dim; the same
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param times       [count], s, in any order
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may be NULL, but not all outputs
+ * @param omega_out   [count][3], rad/s; may be NULL
+ * @param alpha_out   [count][3], rad/s^2; may be NULL
+ * @param p_out       [count][dim]; may be NULL
+ * @param v_out       [count][dim], 1/s, first derivative; may be NULL
+ * @param a_out       [count][dim], 1/s^2, second derivative; may be NULL
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two arrays): nothing
+ *     is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP, of the trajectory or else of the positions: that row is NaN
+ *     in every output, all others are right */
+QTRAJ_API qtraj_status qtraj_sample_poses(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
+                                          int32_t frame, const double* times, size_t count, double* q_out,
+                                          double* omega_out, double* alpha_out, double* p_out, double* v_out,
+                                          double* a_out, size_t* bad_index);
+
+/** Samples orientations and positions, and their rates, into float: twin of qtraj_sample_poses().
+ *
+ * @param trajectory  the curve of orientations; not NULL, also where count is 0
+ * @param positions   the curve of positions, of any dim; the same
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param times       [count], s, in any order
+ * @param count       number of samples; where it is 0 arrays may be NULL
+ * @param q_out       [count][4], w x y z, body to world, unit; may be NULL, but not all outputs
+ * @param omega_out   [count][3], rad/s; may be NULL
+ * @param alpha_out   [count][3], rad/s^2; may be NULL
+ * @param p_out       [count][dim]; may be NULL
+ * @param v_out       [count][dim], 1/s, first derivative; may be NULL
+ * @param a_out       [count][dim], 1/s^2, second derivative; may be NULL
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_sample_poses(); NOT_FINITE also for a number too large for float */
+QTRAJ_API qtraj_status qtraj_sample_poses_f32(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
+                                              int32_t frame, const double* times, size_t count, float* q_out,
+                                              float* omega_out, float* alpha_out, float* p_out, float* v_out,
+                                              float* a_out, size_t* bad_index);
+
+/** Samples orientation and position, and their rates, at one time, for control loops.
+ *
+ * @param trajectory  the curve of orientations
+ * @param positions   the curve of positions, of any dim
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param time        s
+ * @param cursor      a hint of the caller's, any value, 0 to begin: the segment of the trajectory to try first, and
+ *                    that of the positions: it serves both where they have the same knots; never changes the result;
+ *                    may be NULL
+ * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all outputs
+ * @param omega_out   [3], rad/s; may be NULL
+ * @param alpha_out   [3], rad/s^2; may be NULL
+ * @param p_out       [dim]; may be NULL
+ * @param v_out       [dim], 1/s, first derivative; may be NULL
+ * @param a_out       [dim], 1/s^2, second derivative; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_OVERLAP (of any two outputs): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP, of the trajectory or else of the positions: every output is
+ *     NaN */
+QTRAJ_API qtraj_status qtraj_sample_pose_at(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
+                                            int32_t frame, double time, size_t* cursor, double* q_out,
+                                            double* omega_out, double* alpha_out, double* p_out, double* v_out,
+                                            double* a_out);
+
+/** Samples orientation and position, and their rates, at one time into float: twin of qtraj_sample_pose_at().
+ *
+ * @param trajectory  the curve of orientations
+ * @param positions   the curve of positions, of any dim
+ * @param frame       a qtraj_frame_value, of omega_out and alpha_out
+ * @param time        s
+ * @param cursor      as of qtraj_sample_pose_at()
+ * @param q_out       [4], w x y z, body to world, unit; may be NULL, but not all outputs
+ * @param omega_out   [3], rad/s; may be NULL
+ * @param alpha_out   [3], rad/s^2; may be NULL
+ * @param p_out       [dim]; may be NULL
+ * @param v_out       [dim], 1/s, first derivative; may be NULL
+ * @param a_out       [dim], 1/s^2, second derivative; may be NULL
+ * @return as qtraj_sample_pose_at(); NOT_FINITE also for a number too large for float */
+QTRAJ_API qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
+                                                int32_t frame, double time, size_t* cursor, float* q_out,
+                                                float* omega_out, float* alpha_out, float* p_out, float* v_out,
+                                                float* a_out);
 
 /** @} */
 

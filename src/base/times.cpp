@@ -23,6 +23,12 @@ Status check_time(double first, double previous, double time) {
   return Status::ok;
 }
 
+Status set_closing_time(double* times, size_t last, double period) {
+  if (0.5 * times[0] + 0.5 * period > 0.5 * DBL_MAX) return Status::time_span;
+  times[last] = times[0] + period;
+  return check_knot(times, last);
+}
+
 double end_reach(double first, double last) {
   const double larger = std::max(std::abs(first), std::abs(last));
   return 4.0 * (larger - std::nextafter(larger, 0.0));

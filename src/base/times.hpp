@@ -11,6 +11,10 @@ Status check_knot(const double* times, size_t index);
 // The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);
 
+// Makes knot `last` the first once more, a period after it. time_order where that does not come after the knot before it,
+// time_span where it overflows.
+Status set_closing_time(double* times, size_t last, double period);
+
 // How far beyond the first or the last time another still counts as it: 4 units in the last place of the larger one. An
 // even grid of rounded times may end there.
 double end_reach(double first, double last);

@@ -1,5 +1,5 @@
 // The lookup of a time: which segment it belongs to. All sampling looks its times up here, one by one by find_segment,
-// vectors of scattered times by the same steps (find_segments in sample_many.hpp).
+// vectors of scattered times by the same steps (find_segments in find_segments.hpp).
 //
 // A guide replaces the binary search over all knots: their span is cut into three times as many equal buckets as there
 // are segments, and each bucket tells the first segment that a time in it can belong to. A few halving steps without

@@ -1,6 +1,6 @@
 // The time axis of a curve: knots, their guide, and what a time between or outside them means. Orientation curves
-// (trajectory.hpp) and vector curves (vector_curve.hpp) have one each. Kernels include this header: it holds plain data,
-// and functions of internal linkage.
+// (trajectory.hpp) and vector curves (vector_curve.hpp) have one each. Kernels include this header: it holds plain
+// data, and functions of internal linkage.
 #pragma once
 
 #include <cstddef>

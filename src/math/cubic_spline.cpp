@@ -8,6 +8,7 @@ namespace qtraj {
 
 SplineEnd spline_end(End condition) {
   if (condition == End::not_a_knot) return SplineEnd::not_a_knot;
+  if (condition == End::given) return SplineEnd::given;
   if (condition == End::periodic) return SplineEnd::periodic;
   return SplineEnd::natural;
 }
@@ -23,7 +24,7 @@ struct Row {
   double lower, diagonal, upper, left, right;
 };
 
-constexpr Row kNaturalStart = {0, 2, 1, 0, 3}, kNaturalEnd = {1, 2, 0, 3, 0};
+constexpr Row kNaturalStart = {0, 2, 1, 0, 3}, kNaturalEnd = {1, 2, 0, 3, 0}, kGiven = {0, 1, 0, 0, 0};
 
 // The second derivative is continuous at the knot.
 Row inner_row(IntervalShares share) { return {share.right, 2, share.left, 3 * share.right, 3 * share.left}; }
@@ -44,7 +45,7 @@ class SlopeSystem {
 
   Outcome solve() {
     const size_t last = data_.count - 1;
-    if (last == 1) return set_line();
+    if (last == 1) return solve_two_points();
     if (start_ == SplineEnd::periodic) return solve_periodic();
     const bool no_start_knot = start_ == SplineEnd::not_a_knot, no_end_knot = end_ == SplineEnd::not_a_knot;
     if (last == 2 && no_start_knot && no_end_knot) return set_parabola();
@@ -61,8 +62,17 @@ class SlopeSystem {
   double delta(size_t i, size_t component) const { return data_.chord_slope(i, component); }
   IntervalShares shares(size_t knot) const { return interval_shares(data_.step(knot - 1), data_.step(knot)); }
 
-  Outcome set_line() {
-    for (size_t c = 0; c < data_.dim; ++c) slope(0, c) = slope(1, c) = delta(0, c);
+  bool is_given(size_t knot) const { return (knot == 0 ? start_ : end_) == SplineEnd::given && is_end(knot); }
+  bool is_end(size_t knot) const { return knot == 0 || knot == data_.count - 1; }
+
+  // Without a given slope, the line.
+  Outcome solve_two_points() {
+    for (size_t c = 0; c < data_.dim; ++c) {
+      const double line = delta(0, c);
+      const bool given[] = {is_given(0), is_given(1)};
+      if (!given[0]) slope(0, c) = given[1] && start_ == SplineEnd::natural ? 1.5 * line - 0.5 * slope(1, c) : line;
+      if (!given[1]) slope(1, c) = given[0] && end_ == SplineEnd::natural ? 1.5 * line - 0.5 * slope(0, c) : line;
+    }
     return {};
   }
 
@@ -78,6 +88,7 @@ class SlopeSystem {
 
   Row row(size_t knot) const {
     const size_t last = data_.count - 1;
+    if (is_given(knot)) return kGiven;
     if (knot == 0) return kNaturalStart;
     if (knot == last) return kNaturalEnd;
     if (knot == 1 && start_ == SplineEnd::not_a_knot) return row_after_start(shares(1));
@@ -85,7 +96,8 @@ class SlopeSystem {
     return inner_row(shares(knot));
   }
 
-  double right_side(const Row& row, size_t knot, size_t component) const {
+  double right_side(const Row& row, size_t knot, size_t component) {
+    if (is_given(knot)) return slope(knot, component);
     double value = row.left != 0 ? row.left * delta(knot - 1, component) : 0.0;
     if (row.right != 0) value += row.right * delta(knot, component);
     return value;

@@ -1,7 +1,5 @@
 #include "methods/keyframes.hpp"
 
-#include <cfloat>
-
 #include "base/floating.hpp"
 #include "base/times.hpp"
 #include "math/so3.hpp"
@@ -88,10 +86,7 @@ size_t count_sign_flips(const KeyframeInput& input, const Keyframes& keys) {
 
 Outcome add_closing_key(const KeyframeInput& input, double period, Keyframes& keys, KeyframeReport& report) {
   const size_t last = keys.count - 1;
-  const double first_time = keys.times[0];
-  if (0.5 * first_time + 0.5 * period > 0.5 * DBL_MAX) return {Status::time_span, input.count - 1};
-  keys.times[last] = first_time + period;
-  const Status status = check_knot(keys.times, last);
+  const Status status = set_closing_time(keys.times, last, period);
   if (status != Status::ok) return {status, input.count - 1};
   keys.set(last, keys[0]);
   continue_closing_sign(last, false, keys, report);

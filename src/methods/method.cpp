@@ -67,27 +67,58 @@ constexpr MethodRow kTurningSlerp = {Method{QTRAJ_SLERP},
                                      0,
                                      build_turning_slerp};
 
-}  // namespace
+constexpr unsigned kCubicEnds =
+    bit(End::standard) | bit(End::natural) | bit(End::not_a_knot) | bit(End::given) | bit(End::periodic);
 
-bool MethodRow::accepts_end(End condition) const { return is_known(condition) && (ends & bit(condition)) != 0; }
+// Method, terms, first and second derivatives, ends.
+constexpr VectorMethodRow kVectorMethods[] = {
+    {Method{QTRAJ_VECTOR_STEP}, 0, false, false, 0},           {Method{QTRAJ_VECTOR_LINEAR}, 0, false, false, 0},
+    {Method{QTRAJ_VECTOR_CUBIC}, 2, false, false, kCubicEnds}, {Method{QTRAJ_VECTOR_HERMITE}, 2, true, false, 0},
+    {Method{QTRAJ_VECTOR_QUINTIC}, 4, true, true, 0},
+};
 
-const MethodRow* find_method(Method method) {
-  for (const MethodRow& row : kMethods)
+template <class Row, size_t Count>
+const Row* find(const Row (&rows)[Count], Method method) {
+  for (const Row& row : rows)
     if (row.method == method) return &row;
   return nullptr;
 }
 
-bool MethodRow::accepts_turns(Turns rule) const {
-  return rule == Turns::standard || (is_known(rule) && (turns & bit(rule)) != 0);
-}
+}  // namespace
 
-Turns MethodRow::default_turns() const {
-  return accepts_turns(Turns::from_rates) ? Turns::from_rates : Turns::shortest;
-}
+const MethodRow* find_method(Method method) { return find(kMethods, method); }
+const VectorMethodRow* find_vector_method(Method method) { return find(kVectorMethods, method); }
 
 const MethodRow& find_row(const Options& options) {
   const MethodRow& row = *find_method(options.method);
   return row.kind == SegmentKind::arc && options.turns != Turns::shortest ? kTurningSlerp : row;
+}
+
+// ---- What options may set ----
+
+bool accepts_end(Method method, End condition) {
+  const MethodRow* row = find_method(method);
+  return is_known(condition) && ((row ? row->ends : find_vector_method(method)->ends) & bit(condition)) != 0;
+}
+
+bool accepts_turns(Method method, Turns rule) {
+  const MethodRow* row = find_method(method);
+  if (!row) return false;
+  return rule == Turns::standard || (is_known(rule) && (row->turns & bit(rule)) != 0);
+}
+
+bool has_tangents(Method method) {
+  const MethodRow* row = find_method(method);
+  return row && row->has_tangents;
+}
+
+bool has_reference(Method method) {
+  const MethodRow* row = find_method(method);
+  return row && row->has_reference;
+}
+
+Turns default_turns(Method method) {
+  return accepts_turns(method, Turns::from_rates) ? Turns::from_rates : Turns::shortest;
 }
 
 }  // namespace qtraj

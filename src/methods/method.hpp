@@ -41,14 +41,27 @@ struct MethodRow {
   unsigned turns;                 // a bit for each Turns rule that set_turns takes
   size_t workspace_per_key;
   Outcome (*build)(Construction&);
+};
 
-  bool accepts_end(End condition) const;
-  bool accepts_turns(Turns rule) const;
-  Turns default_turns() const;
+// Methods of vector curves.
+struct VectorMethodRow {
+  Method method;
+  size_t terms;                    // of a segment's shape (curve/vector_curve.hpp)
+  bool needs_first, needs_second;  // derivatives at all keys
+  unsigned ends;                   // a bit for each End condition that set_ends takes
 };
 
 // nullptr where the method is unknown.
 const MethodRow* find_method(Method method);
+const VectorMethodRow* find_vector_method(Method method);
+
+// What options may set, of orientation and of vector methods alike.
+bool accepts_end(Method method, End condition);
+bool accepts_turns(Method method, Turns rule);
+bool has_tangents(Method method);
+bool has_reference(Method method);
+Turns default_turns(Method method);
+
 // The row that builds what the options ask for: a method with turns may have segments of another kind.
 const MethodRow& find_row(const Options& options);
 

@@ -31,18 +31,17 @@ void set_end(EndSetting& end, End condition) {
 }  // namespace
 
 Status Options::make(Method method, Options& out) {
-  if (!find_method(method)) return Status::value;
+  if (!find_method(method) && !find_vector_method(method)) return Status::value;
   out = Options{};
   out.method = method;
-  out.turns = find_method(method)->default_turns();
+  out.turns = default_turns(method);
   return Status::ok;
 }
 
 Status Options::set_ends(End start_condition, End end_condition) {
-  const MethodRow& row = *find_method(method);
   const bool one_closed = (start_condition == End::periodic) != (end_condition == End::periodic);
   if (!is_known(start_condition) || !is_known(end_condition) || one_closed) return Status::value;
-  if (!row.accepts_end(start_condition) || !row.accepts_end(end_condition)) return Status::setting;
+  if (!accepts_end(method, start_condition) || !accepts_end(method, end_condition)) return Status::setting;
   set_end(start, start_condition);
   set_end(end, end_condition);
   return Status::ok;
@@ -50,7 +49,7 @@ Status Options::set_ends(End start_condition, End end_condition) {
 
 Status Options::set_end_rates(Frame frame, const double* omega_start, const double* omega_end) {
   if (!is_known(frame)) return Status::value;
-  if (!find_method(method)->accepts_end(End::given)) return Status::setting;
+  if (find_vector_method(method) || !accepts_end(method, End::given)) return Status::setting;
   const Status at_start = check_end_rate(start, omega_start), at_end = check_end_rate(end, omega_end);
   const bool one_missing = at_start == Status::input_missing || at_end == Status::input_missing;
   if (one_missing) return Status::input_missing;
@@ -69,14 +68,14 @@ Status Options::set_end_rates(Frame frame, const double* omega_start, const doub
 
 Status Options::set_tangents(Tangent rule) {
   if (!is_known(rule)) return Status::value;
-  if (!find_method(method)->has_tangents) return Status::setting;
+  if (!has_tangents(method)) return Status::setting;
   tangents = rule == Tangent::standard ? Tangent::catmull_rom : rule;
   return Status::ok;
 }
 
 Status Options::set_reference(Reference rule, const double* q_wb) {
   if (!is_known(rule) || (rule != Reference::given && q_wb)) return Status::value;
-  if (!find_method(method)->has_reference) return Status::setting;
+  if (!has_reference(method)) return Status::setting;
   if (rule == Reference::given) {
     Quaternion q;
     if (!load_finite(q_wb, q)) return Status::not_finite;
@@ -97,9 +96,8 @@ Status Options::set_extrapolation(Extrapolate before, Extrapolate after) {
 
 Status Options::set_turns(Turns rule) {
   if (!is_known(rule)) return Status::value;
-  const MethodRow& row = *find_method(method);
-  if (!row.accepts_turns(rule)) return Status::setting;
-  turns = rule == Turns::standard ? row.default_turns() : rule;
+  if (!accepts_turns(method, rule)) return Status::setting;
+  turns = rule == Turns::standard ? default_turns(method) : rule;
   return Status::ok;
 }
 

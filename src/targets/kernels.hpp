@@ -5,6 +5,7 @@
 #pragma once
 
 #include "curve/sample_call.hpp"
+#include "curve/vector_rows.hpp"
 #include "rows/arguments.hpp"
 #include "targets/targets.hpp"
 
@@ -14,6 +15,8 @@ namespace qtraj {
   namespace name {                                                                         \
   SampleFunction<double> sample;                                                           \
   SampleFunction<float> sample;                                                            \
+  SampleVectorsFunction<double> sample_vectors;                                            \
+  SampleVectorsFunction<float> sample_vectors;                                             \
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \

@@ -4,6 +4,8 @@ namespace qtraj {
 
 SampleFunction<double>* const sample_double_by_target[] = QTRAJ_OF_EACH_TARGET(sample);
 SampleFunction<float>* const sample_float_by_target[] = QTRAJ_OF_EACH_TARGET(sample);
+SampleVectorsFunction<double>* const sample_vectors_double_by_target[] = QTRAJ_OF_EACH_TARGET(sample_vectors);
+SampleVectorsFunction<float>* const sample_vectors_float_by_target[] = QTRAJ_OF_EACH_TARGET(sample_vectors);
 
 namespace {
 
