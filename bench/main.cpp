@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   bench::add_means();
   bench::add_single();
   bench::add_construction();
+  bench::add_vectors();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

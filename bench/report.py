@@ -29,6 +29,9 @@ AT_LEAST = [
     (Row("mean_eigen_f64", "sorted", "warm", 0, 10**6), "scipy", 20, 20),
     (Row("karcher_step_f64", "sorted", "warm", 0, 10**6), "atan2", 15, 15),
     (Row("create_rotation_spline_f64", "sorted", "warm", 1000, 0), "scipy", 20, 20),
+    (Row("vector_cubic_f64", "sorted", "warm", 1000, 10**6), "scipy", 10, 10),
+    (Row("vector_cubic_f64", "sorted", "warm", 1000, 10**6), "loop", 2, 2),
+    (Row("vector_sample_at_f64", "sorted", "warm", 1000, 10**4), "loop", 0.5, 0.5),
 ]
 # Ratios to memory alone: at least 1 / (how many times its time).
 AT_LEAST += [

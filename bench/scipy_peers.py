@@ -15,6 +15,7 @@ for variable in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
 
 import numpy as np  # noqa: E402
 import scipy  # noqa: E402
+from scipy.interpolate import CubicSpline  # noqa: E402
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp  # noqa: E402
 
 try:
@@ -22,7 +23,7 @@ try:
 except ImportError:
     quaternion = None
 
-SLERP, LOG_SPLINE, ROTATION_SPLINE = 1, 4, 5
+SLERP, LOG_SPLINE, ROTATION_SPLINE, VECTOR_CUBIC = 1, 4, 5, 1003
 BODY, SHORTEST = 101, 601
 REPETITIONS = 5
 LEAST_SECONDS = 0.01  # of one timed repetition
@@ -127,6 +128,21 @@ def add_sampling(benchmarks, library, key_count, count):
                        scipy=lambda: (spline(samples), spline(samples, 1)))
 
 
+def add_vectors(benchmarks, library, key_count, count):
+    times, _, _ = keys(key_count)
+    positions = np.random.default_rng(key_count).uniform(-10.0, 10.0, (key_count, 3))
+    options, handle = ctypes.c_void_p(), ctypes.c_void_p()
+    library.call("qtraj_options_create", VECTOR_CUBIC, ctypes.byref(options))
+    library.call("qtraj_vector_create", options, at(times), at(positions), None, None, size(times), ctypes.c_size_t(3),
+                 ctypes.byref(handle), None)
+    samples = np.linspace(times[0], times[-1], count)
+    out, spline = np.ones((count, 3)), CubicSpline(times, positions, bc_type="natural")
+    benchmarks.add(f"vector_cubic_f64/sorted/warm/K:{key_count}/M:{count}", count,
+                   lambda: library.call("qtraj_vector_sample", handle, at(samples), size(samples), at(out), None, None,
+                                        None),
+                   scipy=lambda: spline(samples))
+
+
 def add_construction(benchmarks, library, key_count):
     times, rotations, q = keys(key_count)
     benchmarks.add(f"create_rotation_spline_f64/sorted/warm/K:{key_count}/M:0", key_count,
@@ -157,6 +173,7 @@ def add_pairs(benchmarks, library, count):
 def main(path, target, out_path):
     library, benchmarks = Library(path, target), Benchmarks()
     add_sampling(benchmarks, library, 1000, 10**6)
+    add_vectors(benchmarks, library, 1000, 10**6)
     for key_count in (100, 1000, 10000):
         add_construction(benchmarks, library, key_count)
     add_mean(benchmarks, library, 10**6)

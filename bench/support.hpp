@@ -219,5 +219,6 @@ void add_pairs();
 void add_means();
 void add_single();
 void add_construction();
+void add_vectors();
 
 }  // namespace bench

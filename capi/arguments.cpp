@@ -50,8 +50,8 @@ bool overlap(const Bytes& a, const Bytes& b) {
 
 bool overlap_any(std::initializer_list<Bytes> arrays) {
   for (const Bytes* a = arrays.begin(); a != arrays.end(); ++a)
-    for (const Bytes* b = a + 1; b != arrays.end(); ++b)
-      if (overlap(*a, *b)) return true;
+    for (const Bytes* b = a + 1; a->data && b != arrays.end(); ++b)
+      if (b->data && overlap(*a, *b)) return true;
   return false;
 }
 
