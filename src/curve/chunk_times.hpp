@@ -35,6 +35,11 @@ class ChunkTimes {
   size_t rows() const { return rows_; }
   const double& operator[](size_t i) const { return times_[i]; }
   const double* from(size_t i) const { return times_ + i; }
+  // The buffer from i on, for `rows` numbers and the padding of the last vector; it is read from once it was asked for.
+  double* in_buffer(size_t i) {
+    times_ = buffer_;
+    return buffer_ + i;
+  }
 
   // Copies the times to the buffer, replaces those that are not finite or outside the knots by the first knot, and pads
   // the last vector. Whether all were inside.

@@ -71,7 +71,7 @@ struct LongRotationVectorEvaluator : EvaluatorDefaults {
   template <class Real>
   static constexpr bool kOwnLoopWithRates = Degree == 3 && sizeof(Real) == sizeof(double);
   static constexpr int kWork = 3;
-  static constexpr size_t kSearched = 64;
+  static constexpr size_t kChunk = 192, kSearched = 64;
   static constexpr bool kSmallRates = false;
 
   template <class Number>
