@@ -269,6 +269,11 @@ enum qtraj_turns_value {
   QTRAJ_TURNS_FROM_RATES = 703, /**< nearest to what the rates at both ends say: HERMITE, ROTATION_QUINTIC */
   QTRAJ_TURNS_GIVEN = 704       /**< whole turns beside the shorter one, a number a step: qtraj_create_with_turns() */
 };
+/** Order of the rows that qtraj_sample_many() writes. */
+enum qtraj_layout_value {
+  QTRAJ_LAYOUT_SERIES_FIRST = 801, /**< [series][count]: all times of the first trajectory, then those of the next */
+  QTRAJ_LAYOUT_TIME_FIRST = 802    /**< [count][series]: all trajectories at the first time, then at the next */
+};
 /** Which of the two ways round from a to b an interpolation takes. */
 enum qtraj_path_value {
   QTRAJ_PATH_SHORTEST = 601, /**< to b or -b, whichever is nearer; half a turn apart, to 4 eps, to b */
@@ -835,6 +840,59 @@ QTRAJ_API qtraj_status qtraj_sample_rates(const qtraj_trajectory* trajectory, in
 QTRAJ_API qtraj_status qtraj_sample_rates_f32(const qtraj_trajectory* trajectory, int32_t frame, const double* times,
                                               size_t count, float* q_out, float* omega_out, float* alpha_out,
                                               size_t* bad_index);
+
+/** Samples many trajectories at shared times.
+ *
+ * Rows have the bits of qtraj_sample() and qtraj_sample_rates(). A rig of few times, such as the joints of a
+ * skeleton at one, is sampled in vectors across trajectories: those whose methods are alike stand best side by side.
+ *
+ * @param trajectories  [series], the curves, one of them as often as you like; not NULL, also where count is 0
+ * @param series        number of curves; where it is 0 all arrays may be NULL
+ * @param frame         a qtraj_frame_value, of omega_out and alpha_out
+ * @param times         [count], s, in any order; outside the knots the extrapolation of each curve decides
+ * @param count         number of times; where it is 0 times and outputs may be NULL
+ * @param layout        a qtraj_layout_value: rows are [series][count] or [count][series]
+ * @param q_out         [rows][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out     [rows][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out     [rows][3], rad/s^2; may be NULL, but not all three outputs
+ * @param bad_index     receives the index of the first row at fault, as the rows are laid out, SIZE_MAX where there is
+ *                      none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL (also one of the trajectories), QTRAJ_E_HANDLE (one of the trajectories), QTRAJ_E_SIZE,
+ *     QTRAJ_E_VALUE (frame, layout), QTRAJ_E_OVERLAP (of an output with any other array): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a rate that overflows), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
+QTRAJ_API qtraj_status qtraj_sample_many(const qtraj_trajectory* const* trajectories, size_t series, int32_t frame,
+                                         const double* times, size_t count, int32_t layout, double* q_out,
+                                         double* omega_out, double* alpha_out, size_t* bad_index);
+
+/** Samples many trajectories at shared times in float: twin of qtraj_sample_many().
+ *
+ * Computes in single precision, in double where a curve needs it; the place of a time between the knots is double.
+ *
+ * Rows have the bits of qtraj_sample_f32() and qtraj_sample_rates_f32(). A rig of few times, such as the joints of a
+ * skeleton at one, is sampled in vectors across trajectories: those whose methods are alike stand best side by side.
+ *
+ * @param trajectories  [series], the curves, of double or float keys, one of them as often as you like; not NULL, also
+ *                      where count is 0
+ * @param series        number of curves; where it is 0 all arrays may be NULL
+ * @param frame         a qtraj_frame_value, of omega_out and alpha_out
+ * @param times         [count], s, in any order; outside the knots the extrapolation of each curve decides
+ * @param count         number of times; where it is 0 times and outputs may be NULL
+ * @param layout        a qtraj_layout_value: rows are [series][count] or [count][series]
+ * @param q_out         [rows][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out     [rows][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out     [rows][3], rad/s^2; may be NULL, but not all three outputs
+ * @param bad_index     receives the index of the first row at fault, as the rows are laid out, SIZE_MAX where there is
+ *                      none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL (also one of the trajectories), QTRAJ_E_HANDLE (one of the trajectories), QTRAJ_E_SIZE,
+ *     QTRAJ_E_VALUE (frame, layout), QTRAJ_E_OVERLAP (of an output with any other array): nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (a time, or a rate too large for float), QTRAJ_E_TIME_RANGE (a time outside the knots under
+ *     EXTRAPOLATE_ERROR), QTRAJ_E_GAP: that row is NaN in every output, all others are right */
+QTRAJ_API qtraj_status qtraj_sample_many_f32(const qtraj_trajectory* const* trajectories, size_t series, int32_t frame,
+                                             const double* times, size_t count, int32_t layout, float* q_out,
+                                             float* omega_out, float* alpha_out, size_t* bad_index);
 
 /** Samples the curve in R^4 that NLERP and QUATERNION_QUINTIC normalise, and its first and second derivatives.
  *

@@ -45,6 +45,7 @@ enum class Turns : int32_t {
   from_rates = QTRAJ_TURNS_FROM_RATES,
   given = QTRAJ_TURNS_GIVEN
 };
+enum class Layout : int32_t { series_first = QTRAJ_LAYOUT_SERIES_FIRST, time_first = QTRAJ_LAYOUT_TIME_FIRST };
 enum class Path : int32_t { shortest = QTRAJ_PATH_SHORTEST, as_given = QTRAJ_PATH_AS_GIVEN };
 
 // The values of a family of constants are consecutive.
@@ -67,6 +68,7 @@ static constexpr bool is_known(Extrapolate rule) {
 static constexpr bool is_known(Turns rule) {
   return rule == Turns::standard || is_between(rule, Turns::shortest, Turns::given);
 }
+static constexpr bool is_known(Layout layout) { return is_between(layout, Layout::series_first, Layout::time_first); }
 static constexpr bool is_known(Path path) { return is_between(path, Path::shortest, Path::as_given); }
 
 }  // namespace qtraj

@@ -11,6 +11,7 @@
 #include "curve/extrapolation.hpp"
 #include "curve/knot_lookup.hpp"
 #include "curve/sample_output.hpp"
+#include "curve/series_call.hpp"
 
 namespace qtraj {
 namespace {
@@ -225,6 +226,18 @@ Outcome sample_one_by_one(const Trajectory& trajectory, const TimeSource& source
   Outcome outcome = {Status::ok, kNoIndex};
   for (size_t i = 0; i < count; ++i)
     keep_first(sample_row(trajectory, times[i], cursor, outputs, i, evaluate), i, outcome);
+  return outcome;
+}
+
+template <class Arithmetic, class Real, EvaluateRow<double> kEvaluateDouble>
+Outcome sample_series_one_by_one(const SeriesCall& call, const SampleOutputs<Real>& outputs) {
+  Outcome outcome = {Status::ok, kNoIndex};
+  size_t cursor = 0;
+  for (SeriesWalk walk(call); walk.left() > 0; walk.step()) {
+    const Trajectory& trajectory = walk.trajectory();
+    EvaluateRow<Real>* const evaluate = row_evaluator<Arithmetic, Real, kEvaluateDouble>(trajectory, outputs);
+    keep_first(sample_row(trajectory, walk.time(), cursor, outputs, walk.row(), evaluate), walk.row(), outcome);
+  }
   return outcome;
 }
 

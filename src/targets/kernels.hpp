@@ -4,7 +4,7 @@
 // targets by the target scalar, of fused ones by scalar_fused, which is there for nothing else.
 #pragma once
 
-#include "curve/sample_call.hpp"
+#include "curve/series_call.hpp"
 #include "curve/vector_rows.hpp"
 #include "rows/arguments.hpp"
 #include "targets/targets.hpp"
@@ -17,6 +17,8 @@ namespace qtraj {
   SampleFunction<float> sample;                                                            \
   SampleVectorsFunction<double> sample_vectors;                                            \
   SampleVectorsFunction<float> sample_vectors;                                             \
+  SeriesFunction<double> sample_series;                                                    \
+  SeriesFunction<float> sample_series;                                                     \
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \

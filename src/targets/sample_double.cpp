@@ -4,6 +4,7 @@
 
 #if defined(QTRAJ_VECTORS)
 #include "curve/sample_many.hpp"
+#include "curve/sample_series.hpp"
 #else
 #include "curve/sample_one.hpp"
 #endif
@@ -20,12 +21,22 @@ Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t cou
                                                                                         cursor, outputs);
 }
 
+Outcome sample_series(const SeriesCall& call, const SampleOutputs<double>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return qtraj::sample_series<Arithmetic, double, QTRAJ_SCALAR::sample_at>(call, outputs);
+}
+
 #else
 
 Outcome sample(const Trajectory& trajectory, const TimeSource& times, size_t count, size_t& cursor,
                const SampleOutputs<double>& outputs) {
   const VzeroupperAtExit at_exit;
   return sample_one_by_one<Arithmetic, double, evaluate_in_double>(trajectory, times, count, cursor, outputs);
+}
+
+Outcome sample_series(const SeriesCall& call, const SampleOutputs<double>& outputs) {
+  const VzeroupperAtExit at_exit;
+  return sample_series_one_by_one<Arithmetic, double, evaluate_in_double>(call, outputs);
 }
 
 Status sample_at(const Trajectory& trajectory, double time, size_t& cursor, const SampleOutputs<double>& outputs) {

@@ -85,6 +85,9 @@ PIN(QTRAJ_TURNS_GIVEN, 704);
 PIN(QTRAJ_PATH_SHORTEST, 601);
 PIN(QTRAJ_PATH_AS_GIVEN, 602);
 
+PIN(QTRAJ_LAYOUT_SERIES_FIRST, 801);
+PIN(QTRAJ_LAYOUT_TIME_FIRST, 802);
+
 PIN(QTRAJ_OPTIONS_BYTES, 512);
 
 /* The report's layout: 16 words of 8 bytes, wherever a double is one of them. */

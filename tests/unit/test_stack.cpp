@@ -116,6 +116,31 @@ void add_sampling(const test::KernelCurve& curve, Arrays& a, std::vector<NamedCa
                    }});
 }
 
+// All curves at once: side by side, and one after the other at many times.
+void add_sampling_of_many(const std::vector<test::KernelCurve>& curves, Arrays& a, std::vector<NamedCall>& calls) {
+  const auto rig = std::make_shared<std::vector<const qtraj_trajectory*>>();
+  for (const test::KernelCurve& curve : curves)
+    for (int copy = 0; copy < 3; ++copy) rig->push_back(curve.get());
+  const size_t most = kTimes / rig->size();
+  for (const size_t count : {size_t{1}, most})
+    for (const int32_t layout : {QTRAJ_LAYOUT_SERIES_FIRST, QTRAJ_LAYOUT_TIME_FIRST}) {
+      const double* const at = a.scattered.data();
+      const std::string what = "many curves, " + std::to_string(count) + " times, layout " + std::to_string(layout);
+      calls.push_back({"many samples", what, [=, &a] {
+                         qtraj_sample_many(rig->data(), rig->size(), QTRAJ_FRAME_WORLD, at, count, layout, a.out.data(),
+                                           a.second.data(), a.third.data(), nullptr);
+                         qtraj_sample_many(rig->data(), rig->size(), QTRAJ_FRAME_WORLD, at, count, layout, a.out.data(),
+                                           nullptr, nullptr, nullptr);
+                       }});
+      calls.push_back({"many samples", what + ", float", [=, &a] {
+                         qtraj_sample_many_f32(rig->data(), rig->size(), QTRAJ_FRAME_WORLD, at, count, layout,
+                                               a.out_f32.data(), a.second_f32.data(), a.third_f32.data(), nullptr);
+                         qtraj_sample_many_f32(rig->data(), rig->size(), QTRAJ_FRAME_WORLD, at, count, layout,
+                                               a.out_f32.data(), nullptr, nullptr, nullptr);
+                       }});
+    }
+}
+
 void add_construction(const Variant& variant, std::vector<NamedCall>& calls) {
   const auto add = [&](auto zero) {
     using Real = decltype(zero);
@@ -299,6 +324,7 @@ struct AllCalls {
   AllCalls() {
     curves = test::kernel_curves(QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_CONSTANT_RATE);
     for (const test::KernelCurve& curve : curves) add_sampling(curve, arrays, calls);
+    add_sampling_of_many(curves, arrays, calls);
     for (const Variant& variant : variants()) add_construction(variant, calls);
     add_construction_with_turns(calls);
     add_rows(arrays, calls);
