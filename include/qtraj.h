@@ -2129,6 +2129,50 @@ QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz(const double* q, size_t count, doubl
  * @return QTRAJ_OK, or QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
 QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz_f32(const float* q, size_t count, float* q_xyzw_out);
 
+/** Columns to rows, as many as you like: values are only moved, whatever their bits.
+ *
+ * @param columns   [width], each [count]; they may overlap each other
+ * @param width     number of columns; where it is 0 nothing is done
+ * @param count     length of the columns; where it is 0 nothing is done
+ * @param rows_out  [count][width]
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (with a column, or with
+ *   columns): nothing is written */
+QTRAJ_API qtraj_status qtraj_rows_from_columns(const double* const* columns, size_t width, size_t count,
+                                               double* rows_out);
+
+/** Columns to rows of float, as many as you like: values are only moved, whatever their bits: twin of
+ * qtraj_rows_from_columns().
+ *
+ * @param columns   [width], each [count]; they may overlap each other
+ * @param width     number of columns; where it is 0 nothing is done
+ * @param count     length of the columns; where it is 0 nothing is done
+ * @param rows_out  [count][width]
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (with a column, or with
+ *   columns): nothing is written */
+QTRAJ_API qtraj_status qtraj_rows_from_columns_f32(const float* const* columns, size_t width, size_t count,
+                                                   float* rows_out);
+
+/** Rows to columns, as many as you like: values are only moved, whatever their bits.
+ *
+ * @param rows         [count][width]
+ * @param width        number of columns; where it is 0 nothing is done
+ * @param count        number of rows; where it is 0 nothing is done
+ * @param columns_out  [width], each [count]; none may overlap another, the rows or columns_out
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
+QTRAJ_API qtraj_status qtraj_columns_from_rows(const double* rows, size_t width, size_t count,
+                                               double* const* columns_out);
+
+/** Rows to columns of float, as many as you like: values are only moved, whatever their bits: twin of
+ * qtraj_columns_from_rows().
+ *
+ * @param rows         [count][width]
+ * @param width        number of columns; where it is 0 nothing is done
+ * @param count        number of rows; where it is 0 nothing is done
+ * @param columns_out  [width], each [count]; none may overlap another, the rows or columns_out
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written */
+QTRAJ_API qtraj_status qtraj_columns_from_rows_f32(const float* rows, size_t width, size_t count,
+                                                   float* const* columns_out);
+
 /** @} */
 
 /* ---- Algebra: in place where row lengths agree ---- */

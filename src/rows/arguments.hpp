@@ -41,6 +41,20 @@ struct ContinuousRows {
   size_t* flips;
 };
 
+// A table as columns of `count` numbers each, and as rows of `width` numbers.
+template <class Real>
+struct RowsOfColumns {
+  const Real* const* columns;  // [width]
+  size_t width;
+  Real* rows;
+};
+template <class Real>
+struct ColumnsOfRows {
+  const Real* rows;
+  size_t width;
+  Real* const* columns;  // [width]
+};
+
 // Keys made unit; worst_norm_error is raised to the largest distance of their lengths from 1.
 struct UnitKeyRows {
   Input<4> q;

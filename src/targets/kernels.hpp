@@ -24,6 +24,10 @@ namespace qtraj {
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \
   size_t normalize(const NormalizeRows& rows, size_t first, size_t count);                 \
   size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count);          \
+  size_t rows_from_columns(const RowsOfColumns<double>& table, size_t count);              \
+  size_t rows_from_columns(const RowsOfColumns<float>& table, size_t count);               \
+  size_t columns_from_rows(const ColumnsOfRows<double>& table, size_t count);              \
+  size_t columns_from_rows(const ColumnsOfRows<float>& table, size_t count);               \
   size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count);                   \
   size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count); \
   size_t jacobians(const JacobianRecords& records, size_t first, size_t count);            \
