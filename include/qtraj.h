@@ -1,9 +1,9 @@
 /** @file qtraj.h
  * Smooth orientation trajectories through quaternion keyframes.
  *
- * Twins whose names end in _f32 exist for what moves keyframes and samples in bulk: construction, sampling, slerp and
- * nlerp, keys, rotate, means. They read and write float; times, settings and scalar results stay double; sums are taken
- * in double.
+ * Twins whose names end in _f32 exist for what moves keyframes and samples in bulk: construction, sampling, slerp, nlerp
+ * and screw motions, keys, tables, rotate, means. They read and write float; times, settings and scalar results stay
+ * double; sums are taken in double.
  *
  * @par Conventions
  *   Hamilton product, right-handed, q = w x y z; q_wb takes body vectors to world, v_world = q v_body q^-1; q and -q
@@ -1876,6 +1876,66 @@ QTRAJ_API qtraj_status qtraj_nlerp_pairs_between_f32(const float* a, const doubl
                                                      const float* b, const double* time_b, size_t b_count,
                                                      const double* times, size_t times_count, size_t count,
                                                      int32_t path, float* q_out, size_t* bad_index);
+
+/** Screw motion pair by pair: poses between a and b, orientation and position together.
+ *
+ * The rates, angular and linear, are constant in the body frame: T_a exp(u log(T_a^-1 T_b)), the turn the
+ * shorter of the two. Fraction 0 gives p_a, fraction 1 p_b. Without a turn it is the straight line. Half a turn, to 4
+ * eps of the cosine of its half, is AMBIGUOUS: the row holds the way to q_b as given, by the rule of
+ * QTRAJ_PATH_SHORTEST.
+ *
+ * @param q_a             [a_count][4], w x y z, body to world, of any norm but 0
+ * @param p_a             [a_count][3], positions in the world frame, in any unit of length
+ * @param a_count         1 or count
+ * @param q_b             [b_count][4], w x y z, body to world, of any norm but 0
+ * @param p_b             [b_count][3], in the unit of p_a
+ * @param b_count         1 or count
+ * @param fraction        [fraction_count], any real numbers: 0 is pose a, 1 is pose b
+ * @param fraction_count  1 or count
+ * @param count           number of poses; where it is 0 arrays may be NULL
+ * @param q_out           [count][4], w x y z, unit; may be a q_a or q_b of count rows
+ * @param p_out           [count][3]; may be a p_a or p_b of count rows
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (an input, or a position too large for double), QTRAJ_E_ZERO_NORM (q_a or q_b): that row is
+ *     NaN in both outputs, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: orientations half a turn apart; that row holds one of the two ways */
+QTRAJ_API qtraj_status qtraj_screw_pairs(const double* q_a, const double* p_a, size_t a_count, const double* q_b,
+                                         const double* p_b, size_t b_count, const double* fraction,
+                                         size_t fraction_count, size_t count, double* q_out, double* p_out,
+                                         size_t* bad_index);
+
+/** Screw motion pair by pair in float: twin of qtraj_screw_pairs().
+ *
+ * Computed in double and rounded once.
+ *
+ * The rates, angular and linear, are constant in the body frame: T_a exp(u log(T_a^-1 T_b)), the turn the
+ * shorter of the two. Fraction 0 gives p_a, fraction 1 p_b. Without a turn it is the straight line. Half a turn, to 4
+ * eps of the cosine of its half, is AMBIGUOUS: the row holds the way to q_b as given, by the rule of
+ * QTRAJ_PATH_SHORTEST.
+ *
+ * @param q_a             [a_count][4], w x y z, body to world, of any norm but 0
+ * @param p_a             [a_count][3], positions in the world frame, in any unit of length
+ * @param a_count         1 or count
+ * @param q_b             [b_count][4], w x y z, body to world, of any norm but 0
+ * @param p_b             [b_count][3], in the unit of p_a
+ * @param b_count         1 or count
+ * @param fraction        [fraction_count], any real numbers: 0 is pose a, 1 is pose b
+ * @param fraction_count  1 or count
+ * @param count           number of poses; where it is 0 arrays may be NULL
+ * @param q_out           [count][4], w x y z, unit; may be a q_a or q_b of count rows
+ * @param p_out           [count][3]; may be a p_a or p_b of count rows
+ * @param bad_index       receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE (an input, or a position too large for float), QTRAJ_E_ZERO_NORM (q_a or q_b): that row is NaN
+ *     in both outputs, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: orientations half a turn apart; that row holds one of the two ways */
+QTRAJ_API qtraj_status qtraj_screw_pairs_f32(const float* q_a, const float* p_a, size_t a_count, const float* q_b,
+                                             const float* p_b, size_t b_count, const float* fraction,
+                                             size_t fraction_count, size_t count, float* q_out, float* p_out,
+                                             size_t* bad_index);
 
 /** Inner controls a_i, b_i of SQUAD for keys, by the rule CATMULL_ROM with CHORD ends.
  *

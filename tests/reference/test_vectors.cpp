@@ -277,7 +277,9 @@ TEST_CASE("no reference file is left out", "[vectors]") {
   size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(QTRAJ_REFERENCE_DIR)) {
     const std::string name = entry.path().stem().string();
-    if (entry.path().extension() != ".txt" || name == "means" || name == "unnormalized" || name == "turns") continue;
+    if (entry.path().extension() != ".txt" || name == "means" || name == "unnormalized" || name == "turns" ||
+        name == "screw")
+      continue;
     CAPTURE(name);
     CHECK(std::count(names.begin(), names.end(), name) == 1);
     ++files;

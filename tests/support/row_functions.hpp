@@ -66,8 +66,20 @@ struct RowArrays {
 };
 
 inline std::vector<RowFunction<float>> row_functions(float) {
-  return {{"rotate_f32", {{4, true}, {3}}, {3}, true, [](auto in, size_t count, auto out, size_t* bad) {
+  return {{"rotate_f32",
+           {{4, true}, {3}},
+           {3},
+           true,
+           [](auto in, size_t count, auto out, size_t* bad) {
              return qtraj_rotate_f32(in[0], count, in[1], count, count, out[0], bad);
+           }},
+          {"screw_pairs_f32",
+           {{4, true}, {3}, {4, true}, {3}, {1}},
+           {4, 3},
+           true,
+           [](auto in, size_t count, auto out, size_t* bad) {
+             return qtraj_screw_pairs_f32(in[0], in[1], count, in[2], in[3], count, in[4], count, count, out[0], out[1],
+                                          bad);
            }}};
 }
 
@@ -110,6 +122,10 @@ inline std::vector<RowFunction<double>> row_functions(double) {
   functions.push_back({"pow", {q, number}, {4}, false, [](In in, size_t n, Out out, size_t* bad) {
                          return qtraj_pow(in[0], in[1], n, n, out[0], bad);
                        }});
+  functions.push_back(
+      {"screw_pairs", {q, vector, q, vector, number}, {4, 3}, true, [](In in, size_t n, Out out, size_t* bad) {
+         return qtraj_screw_pairs(in[0], in[1], n, in[2], in[3], n, in[4], n, n, out[0], out[1], bad);
+       }});
   for (const int32_t frame : {QTRAJ_FRAME_BODY, QTRAJ_FRAME_WORLD}) {
     functions.push_back(
         {"derivatives_from_rates", {q, vector, vector}, {4, 4}, true, [=](In in, size_t n, Out out, size_t* bad) {
