@@ -31,6 +31,22 @@ static inline Output<Width> output(Real* data, size_t rows) {
   return {data, rows, sizeof(Real) == sizeof(float)};
 }
 
+// `count` rows of an array from `first` on; none of an array without data.
+template <size_t Width>
+static inline size_t bytes_before(size_t row, bool is_float) {
+  return row * Width * (is_float ? sizeof(float) : sizeof(double));
+}
+template <size_t Width>
+static inline Input<Width> rows_from(const Input<Width>& array, size_t first, size_t count) {
+  const auto* data = static_cast<const char*>(array.data);
+  return {data ? data + bytes_before<Width>(first, array.is_float) : nullptr, count, array.is_float};
+}
+template <size_t Width>
+static inline Output<Width> rows_from(const Output<Width>& array, size_t first, size_t count) {
+  auto* data = static_cast<char*>(array.data);
+  return {data ? data + bytes_before<Width>(first, array.is_float) : nullptr, count, array.is_float};
+}
+
 // Arguments of functions over rows with one input and with two.
 template <size_t InWidth, size_t OutWidth>
 struct UnaryRows {

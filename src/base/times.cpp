@@ -34,6 +34,11 @@ double end_reach(double first, double last) {
   return 4.0 * (larger - std::nextafter(larger, 0.0));
 }
 
+TimeSpan reached_span(double first, double last) {
+  const double reach = end_reach(first, last);
+  return {std::max(first, reach - DBL_MAX) - reach, std::min(last, DBL_MAX - reach) + reach};
+}
+
 IntervalShares interval_shares(double h_before, double h_after) {
   // halved first: for a span near DBL_MAX the sum of the two intervals may round up to infinity
   const double half_span = 0.5 * h_before + 0.5 * h_after;

@@ -18,6 +18,11 @@ Status set_closing_time(double* times, size_t last, double period);
 // How far beyond the first or the last time another still counts as it: 4 units in the last place of the larger one. An
 // even grid of rounded times may end there.
 double end_reach(double first, double last);
+// The first and the last time that count as within these two, which are finite.
+struct TimeSpan {
+  double first, last;
+};
+TimeSpan reached_span(double first, double last);
 
 // Relative lengths of the two intervals around an inner knot t1:
 //   left = (t1 - t0)/(t2 - t0),  right = (t2 - t1)/(t2 - t0).

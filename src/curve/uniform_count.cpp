@@ -7,15 +7,18 @@
 namespace qtraj {
 
 Status uniform_count(const Timeline& timeline, double start, double step, size_t& count) {
+  return uniform_count({timeline.before.reach, timeline.after.reach}, start, step, count);
+}
+
+Status uniform_count(const TimeSpan& span, double start, double step, size_t& count) {
   if (step == 0) return Status::value;
   if (!is_finite(start) || !is_finite(step)) return Status::not_finite;
-  const double first = timeline.before.reach, last = timeline.after.reach;
-  if (start < first || start > last) return Status::time_range;
+  if (start < span.first || start > span.last) return Status::time_range;
 
   const TimeSource source = {nullptr, start, step};
   const auto is_inside = [&](double row) {
     const double time = uniform_time_guarded(source, row);
-    return is_finite(time) && time >= first && time <= last;
+    return is_finite(time) && time >= span.first && time <= span.last;
   };
   // rounded times never turn back: the last row inside is found by halving
   double inside = 0, outside = 0x1p53;

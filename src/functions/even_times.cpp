@@ -34,16 +34,24 @@ Status even_times(double first, double last, size_t count, double* times) {
     std::fill_n(times, count, std::numeric_limits<double>::quiet_NaN());
     return status;
   }
+  write_even_times(first, last, count, 0, count, times);
+  return Status::ok;
+}
+
+void write_even_times(double first, double last, size_t count, size_t begin, size_t rows, double* times) {
   const double larger = std::max(std::abs(first), std::abs(last));
   const double scale = larger > 0 ? normalizing_scale(larger) : 1.0;
   const double intervals = static_cast<double>(count - 1);
-  times[0] = first;
-  for (size_t i = 1; i + 1 < count; ++i) {
+  for (size_t k = 0; k < rows; ++k) {
+    const size_t i = begin + k;
     const double steps = static_cast<double>(i);
-    times[i] = weighted_mean(scale * first, intervals - steps, scale * last, steps, intervals) / scale;
+    if (i == 0)
+      times[k] = first;
+    else if (i + 1 == count)
+      times[k] = last;
+    else
+      times[k] = weighted_mean(scale * first, intervals - steps, scale * last, steps, intervals) / scale;
   }
-  if (count > 1) times[count - 1] = last;
-  return Status::ok;
 }
 
 void segment_times(const double* knots, size_t count, size_t per_segment, double* times) {

@@ -13,6 +13,8 @@ namespace qtraj {
 // 0.1, 0.2, 0.3. Where first = last all times are equal to it. not_finite, and time_order where last < first: all times
 // are NaN.
 Status even_times(double first, double last, size_t count, double* times);
+// Of these `count` times the `rows` from `begin` on; first and last are finite and in order.
+void write_even_times(double first, double last, size_t count, size_t begin, size_t rows, double* times);
 
 // per_segment of them in each segment of strictly increasing knots [count], those that two segments share once: times
 // [(count - 1) (per_segment - 1) + 1], which never decrease and hold every knot as it is. count, per_segment >= 2.

@@ -77,12 +77,22 @@ bool OrientationScatter::add(const WeightedOrientations& samples) {
   });
 }
 
-Spectrum OrientationScatter::spectrum() {
+void OrientationScatter::read(ScatterTriangle& scatter) {
   add_part(block_.last_part());
+  for (size_t at = 0; at < 10; ++at) scatter[at] = sum_.value(at);
+}
+
+Spectrum OrientationScatter::spectrum() {
+  ScatterTriangle scatter;
+  read(scatter);
+  return spectrum_of(scatter);
+}
+
+Spectrum spectrum_of(const ScatterTriangle& triangle) {
   Matrix4 scatter;
   size_t at = 0;
   for (int row = 0; row < 4; ++row)
-    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = sum_.value(at++);
+    for (int column = row; column < 4; ++column) scatter(row, column) = scatter(column, row) = triangle[at++];
   const Eigensystem system = eigensystem(scatter);
 
   int order[] = {0, 1, 2, 3};
@@ -120,6 +130,22 @@ EigenMean mean_eigen(WeightedOrientations samples) {
   mean.eigengap = spectrum.eigengap();
   if (spectrum.ties(samples.epsilon())) mean.outcome.status = Status::ambiguous;
   return mean;
+}
+
+Outcome mean_eigen_of_each(const GroupedOrientations& samples, const Output<4>& means, double* eigengaps,
+                           int32_t* statuses) {
+  SeriesReader groups(samples.groups);
+  return for_each_series(samples.groups.count, statuses, [&](size_t k) {
+    const RowRange rows = groups.next();
+    EigenMean mean;
+    mean.outcome.status = Status::too_few;
+    if (rows.count > 0)
+      mean = mean_eigen({rows_from(samples.q, rows.first, rows.count),
+                         rows_from(samples.weights, rows.first, rows.count), rows.count});
+    write_row(means, k, mean.q);
+    if (eigengaps) eigengaps[k] = mean.eigengap;
+    return mean.outcome.status;
+  });
 }
 
 }  // namespace qtraj

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "base/series.hpp"
 #include "base/status.hpp"
 #include "math/block_sum.hpp"
 #include "math/quaternion.hpp"
@@ -22,6 +23,10 @@ struct Spectrum {
   bool ties(double epsilon) const { return eigengap() <= 64.0 * epsilon; }
 };
 
+// A scatter matrix by its upper triangle, row by row.
+using ScatterTriangle = double[10];
+Spectrum spectrum_of(const ScatterTriangle& scatter);
+
 // The scatter matrix: the sum of w q q^T over samples, their quaternions made unit.
 class OrientationScatter {
  public:
@@ -31,6 +36,7 @@ class OrientationScatter {
   // Adds all samples of weight above 0; false where one is at fault.
   bool add(const WeightedOrientations& samples);
 
+  void read(ScatterTriangle& scatter);
   Spectrum spectrum();
 
   // Its top eigenvector: the mean that minimises the weighted sum of squared chordal distances (F. L. Markley et al.,
@@ -62,5 +68,16 @@ struct EigenMean {
 // Singular: where the two largest eigenvalues tie (eigengap <= 64 eps of the samples' type) the mean is ambiguous, and
 // one of the top eigenvectors is given. A sample at fault or weights that are all 0: q and eigengap are NaN.
 EigenMean mean_eigen(WeightedOrientations samples);
+
+// The same of each of many groups of samples.
+struct GroupedOrientations {
+  Input<4> q;        // indexed by the offsets
+  Input<1> weights;  // indexed by the offsets; data may be null: all 1
+  Series groups;     // checked
+};
+// A row of the means, and a number of the eigengaps, where there are any, for each group; too_few and NaN where it is
+// empty. The outcome is that of the first group at fault.
+Outcome mean_eigen_of_each(const GroupedOrientations& samples, const Output<4>& means, double* eigengaps,
+                           int32_t* statuses);
 
 }  // namespace qtraj

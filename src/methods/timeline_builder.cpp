@@ -12,10 +12,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void set_reach(Timeline& timeline) {
-  Timeline::Side &before = timeline.before, &after = timeline.after;
-  const double reach = end_reach(before.knot, after.knot);
-  before.reach = std::max(before.knot, reach - DBL_MAX) - reach;
-  after.reach = std::min(after.knot, DBL_MAX - reach) + reach;
+  const TimeSpan reached = reached_span(timeline.before.knot, timeline.after.knot);
+  timeline.before.reach = reached.first;
+  timeline.after.reach = reached.last;
 }
 
 double longest_interval(const double* knots, size_t count) {
