@@ -36,6 +36,10 @@ Status check(std::initializer_list<Argument> arguments, const Conditions& condit
   for (const Argument& argument : arguments)
     if (!fits_memory(argument)) return Status::size;
   if (!conditions.values_known) return Status::value;
+  return check_overlap(arguments);
+}
+
+Status check_overlap(std::initializer_list<Argument> arguments) {
   for (const Argument* a = arguments.begin(); a != arguments.end(); ++a)
     for (const Argument* b = a + 1; b != arguments.end(); ++b)
       if (clash(*a, *b)) return Status::overlap;

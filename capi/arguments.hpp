@@ -112,6 +112,8 @@ inline Conditions at_least(size_t least, size_t count, bool values_known = true)
 // NULL, TOO_FEW, COUNT, SIZE, VALUE, OVERLAP, in this order. NULL is allowed without rows and where it is optional. An
 // output may be an input with the same rows; inputs may overlap.
 Status check(std::initializer_list<Argument> arguments, const Conditions& conditions);
+// OVERLAP alone, where other statuses come before it.
+Status check_overlap(std::initializer_list<Argument> arguments);
 
 // Checks the arguments and, where they are good, calls the core.
 template <class Core>

@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 #include "means/eigen_mean.hpp"
 #include "means/karcher_mean.hpp"
+#include "means/moments.hpp"
 
 using namespace qtraj;
 using namespace qtraj::capi;
@@ -43,6 +44,13 @@ qtraj_status mean_karcher(const Real* q, const Real* weights, size_t count, cons
               });
 }
 
+template <class Real>
+qtraj_status moments_add(const Real* q, const Real* weights, size_t count, double* moments, size_t* bad_index) {
+  const WeightedOrientations samples = {input<4>(q, count), input<1>(weights, count), count};
+  return call({samples.q, optional(samples.weights), distinct(result(moments, rows_of(kMomentCount, count)))}, {},
+              bad_index, [&] { return count > 0 ? add_moments(samples, moments) : Outcome{}; });
+}
+
 }  // namespace
 
 extern "C" {
@@ -67,6 +75,28 @@ qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weights, size_t
                                     int32_t max_iterations, float* mean_out, int32_t* iterations, double* residual,
                                     size_t* bad_index) {
   return mean_karcher(q, weights, count, {tolerance, max_iterations}, mean_out, iterations, residual, bad_index);
+}
+
+qtraj_status qtraj_moments_add(const double* q, const double* weights, size_t count, double* moments,
+                               size_t* bad_index) {
+  return moments_add(q, weights, count, moments, bad_index);
+}
+
+qtraj_status qtraj_moments_add_f32(const float* q, const float* weights, size_t count, double* moments,
+                                   size_t* bad_index) {
+  return moments_add(q, weights, count, moments, bad_index);
+}
+
+qtraj_status qtraj_mean_from_moments(const double* moments, double* mean_out, double* eigengap) {
+  if (!moments || !mean_out) return QTRAJ_E_NULL;
+  const EigenMean mean = mean_from_moments(moments);
+  if (mean.outcome.status == Status::value) return QTRAJ_E_VALUE;
+  const Argument sums = {moments, kMomentCount, 1, sizeof *moments, false};
+  return call({sums, distinct(output<4>(mean_out, 1)), distinct(optional(result(eigengap, 1)))}, {}, nullptr, [&] {
+    write_row(output<4>(mean_out, 1), 0, mean.q);
+    if (eigengap) *eigengap = mean.eigengap;
+    return mean.outcome;
+  });
 }
 
 }  // extern "C"

@@ -38,9 +38,9 @@
  *   a family has one, and no value elsewhere.
  * @par Topics
  *   @ref qtraj-constants, @ref qtraj-library, @ref qtraj-options, @ref qtraj-construction, @ref qtraj-sampling,
- *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-vector-curves, @ref qtraj-poses, @ref qtraj-pairs,
- *   @ref qtraj-keys, @ref qtraj-algebra,
- *   @ref qtraj-means, @ref qtraj-sample-diagnostics, @ref qtraj-spline */
+ *   @ref qtraj-getters, @ref qtraj-curve-diagnostics, @ref qtraj-vector-curves, @ref qtraj-poses,
+ *   @ref qtraj-batches, @ref qtraj-pairs, @ref qtraj-keys, @ref qtraj-algebra, @ref qtraj-means,
+ *   @ref qtraj-sample-diagnostics, @ref qtraj-spline */
 #ifndef QTRAJ_H
 #define QTRAJ_H
 
@@ -115,7 +115,8 @@ QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   QTRAJ_E_HANDLE = 2,
   /** Fewer elements than the function takes, such as 2 keys or 1 sample of a mean: look at count. */
   QTRAJ_E_TOO_FEW = 3,
-  /** Counts that do not belong together: an input's own count is 1 or count. */
+  /** Counts that do not belong together: an input's own count is 1 or count; offsets of series that are negative or
+   * decrease. */
   QTRAJ_E_COUNT = 4,
   /** An array would be larger than PTRDIFF_MAX bytes: look for a count that was negative, or never set. */
   QTRAJ_E_SIZE = 5,
@@ -1571,6 +1572,251 @@ QTRAJ_API qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajecto
                                                 int32_t frame, double time, size_t* cursor, float* q_out,
                                                 float* omega_out, float* alpha_out, float* p_out, float* v_out,
                                                 float* a_out);
+/** @} */
+
+/* ---- Many curves: series of rows in shared arrays, told apart by offsets ---- */
+
+/** @defgroup qtraj-batches Many curves
+ * Tables of recordings: each series has its keys, and its samples, one after the other in arrays that all share. Series
+ * k has the rows from offsets[k] up to offsets[k + 1], as the lists of Arrow, Parquet and their kin have them
+ * (LargeList). Arrays are indexed by the offsets as they are: where the first one is not 0, as in a slice of a table,
+ * rows before it are neither read nor written, nor are those from the last one on.
+ *
+ * Each series gives what it would alone, to the last bit. One at fault has a status of its own, and rows of NaN, and is
+ * no harm to the others; the call returns the status of the first. TOO_FEW or VALUE is then its fault, with its index
+ * in bad_index, and no mistake of the call.
+ *
+ * Nothing here starts a thread. Offsets split without a copy: series k up to k + n are a call of its own with
+ * key_offsets + k, sample_offsets + k, status_out + k, count n and all other arrays as they are.
+ * @{ */
+
+/** Samples many curves, each of a series of keys: qtraj_init() and qtraj_sample() of each in one call.
+ *
+ * @param options         method and settings, read during the call; none that need rates at all keys
+ * @param count           number of series
+ * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times       s, of each series strictly increasing: its knots
+ * @param key_q_wb        [][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param sample_offsets  [count + 1], rows of the first sample of each series and, last, of the end of the last
+ * @param sample_times    s, in any order; NULL: of each series evenly from its first to its last key, a closing one of
+ *                        qtraj_options_set_period() included, both exact, as of qtraj_even_times()
+ * @param memory          [bytes], aligned to 8 bytes; may overlap no other array; NULL: allocated, once
+ * @param bytes           qtraj_init_size() of the longest series, or more, of which even times use 4 kB; ignored where
+ *                        memory is NULL
+ * @param q_out           [][4], w x y z, body to world, unit; may overlap no other array
+ * @param status_out      [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index       receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP,
+ *     QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - what qtraj_init() says of the keys of the series at bad_index, AMBIGUOUS too, and QTRAJ_E_TOO_FEW where it has
+ *     fewer than 2: all its rows are NaN, those of all other series are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP: samples of that series, as of qtraj_sample(): their rows are
+ *     NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_sample(const qtraj_options* options, size_t count, const int64_t* key_offsets,
+                                          const double* key_times, const double* key_q_wb,
+                                          const int64_t* sample_offsets, const double* sample_times, void* memory,
+                                          size_t bytes, double* q_out, int32_t* status_out, size_t* bad_index);
+
+/** Samples many curves in float, each of a series of keys: twin of qtraj_batch_sample().
+ *
+ * The keys are read as float, the times as double, curves are built in double and sampled as by qtraj_sample_f32().
+ *
+ * @param options         method and settings, read during the call; none that need rates at all keys
+ * @param count           number of series
+ * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times       s, of each series strictly increasing: its knots
+ * @param key_q_wb        [][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param sample_offsets  [count + 1], rows of the first sample of each series and, last, of the end of the last
+ * @param sample_times    s, in any order; NULL: of each series evenly from its first to its last key, a closing one of
+ *                        qtraj_options_set_period() included, both exact, as of qtraj_even_times()
+ * @param memory          [bytes], aligned to 8 bytes; may overlap no other array; NULL: allocated, once
+ * @param bytes           qtraj_init_size() of the longest series, or more, of which even times use 4 kB; ignored where
+ *                        memory is NULL
+ * @param q_out           [][4], w x y z, body to world, unit; may overlap no other array
+ * @param status_out      [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index       receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING, QTRAJ_E_BUFFER (memory too small or not aligned), QTRAJ_E_OVERLAP,
+ *     QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - what qtraj_init_f32() says of the keys of the series at bad_index, AMBIGUOUS too, and QTRAJ_E_TOO_FEW where it
+ *     has fewer than 2: all its rows are NaN, those of all other series are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP: samples of that series, as of qtraj_sample_f32(): their rows
+ *     are NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_sample_f32(const qtraj_options* options, size_t count, const int64_t* key_offsets,
+                                              const double* key_times, const float* key_q_wb,
+                                              const int64_t* sample_offsets, const double* sample_times, void* memory,
+                                              size_t bytes, float* q_out, int32_t* status_out, size_t* bad_index);
+
+/** Samples many curves with rates: given at the keys, wanted in the samples, or both.
+ *
+ * @param options         method and settings, read during the call; none that need turns
+ * @param frame           a qtraj_frame_value, of all rates
+ * @param count           number of series
+ * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times       s, of each series strictly increasing: its knots
+ * @param key_q_wb        [][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param key_omega       [][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
+ * @param key_alpha       [][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param sample_offsets  [count + 1], rows of the first sample of each series and, last, of the end of the last
+ * @param sample_times    s, in any order; NULL: of each series evenly from its first to its last key, a closing one of
+ *                        qtraj_options_set_period() included, both exact, as of qtraj_even_times()
+ * @param memory          [bytes], aligned to 8 bytes; may overlap no other array; NULL: allocated, once
+ * @param bytes           qtraj_init_size() of the longest series, or more, of which even times use 4 kB; ignored where
+ *                        memory is NULL
+ * @param q_out           [][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out       [][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out       [][3], rad/s^2; may be NULL, but not all three outputs
+ * @param status_out      [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index       receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED, QTRAJ_E_BUFFER
+ *     (memory too small or not aligned), QTRAJ_E_OVERLAP, QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - what qtraj_init() says of the keys of the series at bad_index, AMBIGUOUS too, and QTRAJ_E_TOO_FEW where it has
+ *     fewer than 2: all its rows are NaN, those of all other series are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP: samples of that series, as of qtraj_sample_rates(): their
+ *     rows are NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_sample_rates(const qtraj_options* options, int32_t frame, size_t count,
+                                                const int64_t* key_offsets, const double* key_times,
+                                                const double* key_q_wb, const double* key_omega,
+                                                const double* key_alpha, const int64_t* sample_offsets,
+                                                const double* sample_times, void* memory, size_t bytes, double* q_out,
+                                                double* omega_out, double* alpha_out, int32_t* status_out,
+                                                size_t* bad_index);
+
+/** Samples many curves with rates in float: twin of qtraj_batch_sample_rates().
+ *
+ * Keys and rates are read as float, the times as double, curves are built in double and sampled as by
+ * qtraj_sample_rates_f32().
+ *
+ * @param options         method and settings, read during the call; none that need turns
+ * @param frame           a qtraj_frame_value, of all rates
+ * @param count           number of series
+ * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times       s, of each series strictly increasing: its knots
+ * @param key_q_wb        [][4], w x y z, body to world, the keys; any norm but 0, any sign
+ * @param key_omega       [][3], rad/s, at the keys, for HERMITE, the quintics, SQUAD with TANGENT_GIVEN; else NULL
+ * @param key_alpha       [][3], rad/s^2, at the keys, for the quintics; else NULL
+ * @param sample_offsets  [count + 1], rows of the first sample of each series and, last, of the end of the last
+ * @param sample_times    s, in any order; NULL: of each series evenly from its first to its last key, a closing one of
+ *                        qtraj_options_set_period() included, both exact, as of qtraj_even_times()
+ * @param memory          [bytes], aligned to 8 bytes; may overlap no other array; NULL: allocated, once
+ * @param bytes           qtraj_init_size() of the longest series, or more, of which even times use 4 kB; ignored where
+ *                        memory is NULL
+ * @param q_out           [][4], w x y z, body to world, unit; may be NULL, but not all three outputs
+ * @param omega_out       [][3], rad/s; may be NULL, but not all three outputs
+ * @param alpha_out       [][3], rad/s^2; may be NULL, but not all three outputs
+ * @param status_out      [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index       receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_VALUE (frame), QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED, QTRAJ_E_BUFFER
+ *     (memory too small or not aligned), QTRAJ_E_OVERLAP, QTRAJ_E_NO_MEMORY: nothing is written;
+ *   - what qtraj_init_f32() says of the keys of the series at bad_index, AMBIGUOUS too, and QTRAJ_E_TOO_FEW where it
+ *     has fewer than 2: all its rows are NaN, those of all other series are right;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_RANGE, QTRAJ_E_GAP: samples of that series, as of qtraj_sample_rates_f32():
+ *     their rows are NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_sample_rates_f32(const qtraj_options* options, int32_t frame, size_t count,
+                                                    const int64_t* key_offsets, const double* key_times,
+                                                    const float* key_q_wb, const float* key_omega,
+                                                    const float* key_alpha, const int64_t* sample_offsets,
+                                                    const double* sample_times, void* memory, size_t bytes,
+                                                    float* q_out, float* omega_out, float* alpha_out,
+                                                    int32_t* status_out, size_t* bad_index);
+
+/** Offsets of samples at a fixed step: how many rows of each series lie within its keys.
+ *
+ * Row i of a series is at its first key time + (double)i * step, rounded twice; the last row is the last one that
+ * counts as within the keys, as of qtraj_uniform_count(). qtraj_batch_times() makes these times.
+ *
+ * @param count               number of series
+ * @param key_offsets         [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times           s; of each series only the first and the last are read
+ * @param step                [step_count], s, above 0
+ * @param step_count          1 or count
+ * @param sample_offsets_out  [count + 1], from 0 on; may overlap no other array; where count is 0 it may be NULL
+ * @param status_out          [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index           receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT (step_count; offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_TOO_FEW (fewer than 2 keys), QTRAJ_E_VALUE (its step is 0 or below), QTRAJ_E_SIZE (more than 2^53 rows,
+ *     or together more than an array can have), QTRAJ_E_NOT_FINITE, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the series
+ *     at bad_index; it has no rows, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_step_offsets(size_t count, const int64_t* key_offsets, const double* key_times,
+                                                const double* step, size_t step_count, int64_t* sample_offsets_out,
+                                                int32_t* status_out, size_t* bad_index);
+
+/** Times at a fixed step from the first key of each series on, at the rows of qtraj_batch_step_offsets() or others.
+ *
+ * @param count           number of series
+ * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
+ * @param key_times       s; of each series only the first and the last are read
+ * @param step            [step_count], s, above 0
+ * @param step_count      1 or count
+ * @param sample_offsets  [count + 1], rows of the first time of each series and, last, of the end of the last; a series
+ *                        may have more rows than lie within its keys, or fewer
+ * @param times_out       s, at the rows of sample_offsets; may overlap no other array
+ * @param status_out      [count], the status of each series; may overlap no other array; may be NULL
+ * @param bad_index       receives the index of the first series at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT (step_count; offsets that are negative or decrease, with the index of the first
+ *     series), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_TOO_FEW (fewer than 2 keys), QTRAJ_E_VALUE (its step is 0 or below), QTRAJ_E_NOT_FINITE,
+ *     QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the series at bad_index; its rows are NaN, all others are right;
+ *   - QTRAJ_E_NOT_FINITE, a time of that series that overflows: its row is NaN, all others are right */
+QTRAJ_API qtraj_status qtraj_batch_times(size_t count, const int64_t* key_offsets, const double* key_times,
+                                         const double* step, size_t step_count, const int64_t* sample_offsets,
+                                         double* times_out, int32_t* status_out, size_t* bad_index);
+
+/** Eigen means of many groups of samples: qtraj_mean_eigen() of each, to the last bit.
+ *
+ * @param count       number of groups
+ * @param offsets     [count + 1], rows of the first sample of each group and, last, of the end of the last
+ * @param q           [][4], w x y z, of any norm but 0
+ * @param weights     0 or more, not all 0 in a group; NULL: all 1
+ * @param mean_out    [count][4], w x y z, unit; may overlap no other array
+ * @param eigengap    [count], (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may overlap no other array;
+ *                    may be NULL
+ * @param status_out  [count], the status of each group; may overlap no other array; may be NULL
+ * @param bad_index   receives the index of the first group at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first group),
+ *     QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_TOO_FEW (no samples), QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also: all weights are 0),
+ *     QTRAJ_E_NEGATIVE_WEIGHT: the group at bad_index; its mean and eigengap are NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues of that group tie, to 64 eps of double; its mean is one of the
+ *     best */
+QTRAJ_API qtraj_status qtraj_batch_mean_eigen(size_t count, const int64_t* offsets, const double* q,
+                                              const double* weights, double* mean_out, double* eigengap,
+                                              int32_t* status_out, size_t* bad_index);
+
+/** Eigen means of many groups of samples of float: twin of qtraj_batch_mean_eigen().
+ *
+ * Samples and weights are read as float, sums are taken in double, means rounded once.
+ *
+ * @param count       number of groups
+ * @param offsets     [count + 1], rows of the first sample of each group and, last, of the end of the last
+ * @param q           [][4], w x y z, of any norm but 0
+ * @param weights     0 or more, not all 0 in a group; NULL: all 1
+ * @param mean_out    [count][4], w x y z, unit; may overlap no other array
+ * @param eigengap    [count], (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may overlap no other array;
+ *                    may be NULL
+ * @param status_out  [count], the status of each group; may overlap no other array; may be NULL
+ * @param bad_index   receives the index of the first group at fault, SIZE_MAX where there is none; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_COUNT (offsets that are negative or decrease, with the index of the first group),
+ *     QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_TOO_FEW (no samples), QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (also: all weights are 0),
+ *     QTRAJ_E_NEGATIVE_WEIGHT: the group at bad_index; its mean and eigengap are NaN, all others are right;
+ *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues of that group tie, to 64 eps of float; its mean is one of the best
+ */
+QTRAJ_API qtraj_status qtraj_batch_mean_eigen_f32(size_t count, const int64_t* offsets, const float* q,
+                                                  const float* weights, float* mean_out, double* eigengap,
+                                                  int32_t* status_out, size_t* bad_index);
 
 /** @} */
 
@@ -2590,6 +2836,55 @@ QTRAJ_API qtraj_status qtraj_mean_karcher(const double* q, const double* weights
 QTRAJ_API qtraj_status qtraj_mean_karcher_f32(const float* q, const float* weights, size_t count, double tolerance,
                                               int32_t max_iterations, float* mean_out, int32_t* iterations,
                                               double* residual, size_t* bad_index);
+
+/** Adds samples to moments, from which qtraj_mean_from_moments() makes their mean: for samples that come in parts.
+ *
+ * Moments are the sum of the weights w, then the upper triangle, row by row, of sum w q q^T, q made unit: zeros to
+ * begin with. Those of parts that were taken apart, elsewhere or at another time, are merged by adding them number by
+ * number.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param weights    [count], 0 or more; NULL: all 1
+ * @param count      number of samples; where it is 0 arrays may be NULL
+ * @param moments    [11], added to; may overlap no other array
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is added;
+ *   - QTRAJ_E_NOT_FINITE (a sample; without an index: moments, as they are, or their sum overflows), QTRAJ_E_ZERO_NORM,
+ *     QTRAJ_E_NEGATIVE_WEIGHT: nothing is added */
+QTRAJ_API qtraj_status qtraj_moments_add(const double* q, const double* weights, size_t count, double* moments,
+                                         size_t* bad_index);
+
+/** Adds samples of float to moments: twin of qtraj_moments_add().
+ *
+ * Samples and weights are read as float; moments are of double, and those of float and double samples may be merged.
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param weights    [count], 0 or more; NULL: all 1
+ * @param count      number of samples; where it is 0 arrays may be NULL
+ * @param moments    [11], added to; may overlap no other array
+ * @param bad_index  receives the index of the first sample at fault, SIZE_MAX where it is not one; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is added;
+ *   - QTRAJ_E_NOT_FINITE (a sample; without an index: moments, as they are, or their sum overflows), QTRAJ_E_ZERO_NORM,
+ *     QTRAJ_E_NEGATIVE_WEIGHT: nothing is added */
+QTRAJ_API qtraj_status qtraj_moments_add_f32(const float* q, const float* weights, size_t count, double* moments,
+                                             size_t* bad_index);
+
+/** Eigen mean of all samples whose moments were added: that of qtraj_mean_eigen(), but for rounding and the sign.
+ *
+ * w is 0 or more; where it is 0, the first other component that is not 0 is above 0.
+ *
+ * @param moments   [11], of qtraj_moments_add(), or sums of such
+ * @param mean_out  [4], w x y z, unit; may overlap no other array
+ * @param eigengap  receives (l1 - l2) / trace, the two largest eigenvalues, in [0, 1]; may be NULL
+ * @return QTRAJ_OK, or
+ *   - QTRAJ_E_NULL, QTRAJ_E_VALUE (no moments: the trace is not the sum of weights, or an eigenvalue is below 0, by
+ *     more than 1e-8 of that sum), QTRAJ_E_OVERLAP: nothing is written;
+ *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM (no samples, or all weights are 0), QTRAJ_E_NEGATIVE_WEIGHT (the sum of
+ *     weights is below 0): mean_out and eigengap are NaN;
+ *   - QTRAJ_E_AMBIGUOUS: the two largest eigenvalues tie, to 64 eps of double; mean_out is one of the best */
+QTRAJ_API qtraj_status qtraj_mean_from_moments(const double* moments, double* mean_out, double* eigengap);
 
 /** @} */
 

@@ -4,16 +4,15 @@ namespace qtraj {
 
 Outcome Series::check() {
   if (count == 0) return {};
-  int64_t begin = offsets[0];
-  if (begin < 0) return {Status::count, 0};
-  first_row = end_row = static_cast<size_t>(begin);
+  constexpr size_t kMost = INT64_MAX;  // from there on an offset is negative
+  first_row = end_row = read_offset(offsets);
+  if (first_row > kMost) return {Status::count, 0};
   for (size_t k = 0; k < count; ++k) {
-    const int64_t end = offsets[k + 1];
-    if (end < begin) return {Status::count, k};
-    longest = std::max(longest, static_cast<size_t>(end - begin));
-    begin = end;
+    const size_t begin = end_row;
+    end_row = read_offset(offsets + k + 1);
+    if (end_row < begin || end_row > kMost) return {Status::count, k};
+    longest = std::max(longest, end_row - begin);
   }
-  end_row = static_cast<size_t>(begin);
   return {};
 }
 

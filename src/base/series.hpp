@@ -13,6 +13,11 @@ struct RowRange {
   size_t first, count;
 };
 
+// An offset, read from memory once: were another thread to write it meanwhile, what is used is what was checked.
+inline size_t read_offset(const int64_t* offset) {
+  return static_cast<size_t>(*static_cast<const volatile int64_t*>(offset));
+}
+
 // Series k has the rows from offsets[k] up to offsets[k + 1]. Rows before the first offset and from the last one on
 // belong to none: arrays are indexed by the offsets as they are, so that a slice of a table needs no copy.
 struct Series {
@@ -29,16 +34,15 @@ struct Series {
   Outcome check();
 };
 
-// Reads series that were checked, one after the other. Each offset is read once: were another thread to write it
-// meanwhile, no series would reach outside the rows of all or be longer than the longest.
+// Reads series that were checked, one after the other. Were offsets written since, no series would reach outside the
+// rows of all or be longer than the longest.
 class SeriesReader {
  public:
   explicit SeriesReader(const Series& series)
       : next_offset_(series.offsets + 1), row_(series.first_row), end_row_(series.end_row), longest_(series.longest) {}
 
   RowRange next() {
-    const auto offset = static_cast<size_t>(*static_cast<const volatile int64_t*>(next_offset_++));
-    const size_t first = row_, most = std::min(longest_, end_row_ - first);
+    const size_t offset = read_offset(next_offset_++), first = row_, most = std::min(longest_, end_row_ - first);
     row_ = offset < first ? first : first + std::min(offset - first, most);
     return {first, row_ - first};
   }

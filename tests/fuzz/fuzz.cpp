@@ -77,7 +77,10 @@ void run_case(uint64_t number) {
     Source source(number * 0xd1342543de82ef95u);
     Rooms::all().clear();
     Digests digests;
-    source.one_in(2) ? fuzz_curve(source, digests) : fuzz_arrays(source, digests);
+    if (source.one_in(10))
+      fuzz_batch(source, digests);
+    else
+      source.one_in(2) ? fuzz_curve(source, digests) : fuzz_arrays(source, digests);
     uint64_t& kind = of_kind[kernel.is_fused() ? 1 : 0];
     check(everywhere == 0 || everywhere == digests.everywhere.value(), "kernels",
           "differ in what is the same everywhere");

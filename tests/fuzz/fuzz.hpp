@@ -258,8 +258,9 @@ void check_rows(const char* function, const Array<Real>& out, size_t width, qtra
   }
 }
 
-// Kinds of cases: functions over arrays, and trajectories.
+// Kinds of cases: functions over arrays, trajectories, and many of them in one call.
 void fuzz_arrays(Source& source, Digests& digests);
+void fuzz_batch(Source& source, Digests& digests);
 void fuzz_curve(Source& source, Digests& digests);
 
 }  // namespace fuzz

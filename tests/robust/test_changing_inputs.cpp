@@ -33,8 +33,13 @@ struct Numbers {
   }
 };
 
+constexpr size_t kSeries = 5;
+constexpr int64_t kKeyOffsets[kSeries + 1] = {0, 10, 12, 13, 50, kKeys};
+constexpr int64_t kSampleOffsets[kSeries + 1] = {0, 30, 30, 77, 150, kTimes};
+
 struct Inputs {
   Numbers times{kKeys}, q{4 * kKeys}, queries{kTimes};
+  int64_t key_offsets[kSeries + 1], sample_offsets[kSeries + 1];
   std::vector<double> good_times, good_q, good_queries;
 
   Inputs() {
@@ -48,8 +53,17 @@ struct Inputs {
     std::copy(good_times.begin(), good_times.end(), times.data);
     std::copy(good_q.begin(), good_q.end(), q.data);
     std::copy(good_queries.begin(), good_queries.end(), queries.data);
+    std::copy_n(kKeyOffsets, kSeries + 1, key_offsets);
+    std::copy_n(kSampleOffsets, kSeries + 1, sample_offsets);
   }
 };
+
+// Any offset within the arrays, or one that is none; most of them as they belong.
+void change_offset(int64_t* offset, int64_t good, int64_t last, test::Random& random) {
+  const double kind = random.uniform(0, 1);
+  const int64_t value = kind < 0.1 ? -1 : kind < 0.4 ? static_cast<int64_t>(random.uniform(0, double(last))) : good;
+  __atomic_store(offset, &value, __ATOMIC_RELAXED);
+}
 
 // Writes single numbers, most of them those that belong there, until told to stop. Each store is whole.
 void change(Inputs& inputs, const std::atomic<bool>& stop) {
@@ -59,6 +73,9 @@ void change(Inputs& inputs, const std::atomic<bool>& stop) {
     return static_cast<size_t>(random.uniform(0, static_cast<double>(limit) - 0.001));
   };
   while (!stop) {
+    const size_t at = index_below(kSeries + 1);
+    change_offset(&inputs.key_offsets[at], kKeyOffsets[at], kKeys, random);
+    change_offset(&inputs.sample_offsets[at], kSampleOffsets[at], kTimes, random);
     for (auto& [array, good] : {std::pair<Numbers*, std::vector<double>*>{&inputs.times, &inputs.good_times},
                                 {&inputs.q, &inputs.good_q},
                                 {&inputs.queries, &inputs.good_queries}}) {
@@ -98,6 +115,7 @@ struct Calls {
     for (const test::KernelCurve& curve : curves) add_samplers(curve.get());
     for (const Variant& variant : variants())
       if (!variant.needs_rates()) add_constructor(variant);
+    add_batches();
     add_functions();
   }
 
@@ -117,6 +135,24 @@ struct Calls {
       qtraj_create_with_options(options->get(), inputs.times.data, inputs.q.data, kKeys, &curve, nullptr);
       if (curve) qtraj_sample(curve, inputs.queries.data, kTimes, q.data, nullptr);
       qtraj_destroy(curve);
+    });
+  }
+  // Many curves, of series whose offsets change as well; rows are against the guard page.
+  void add_batches() {
+    const auto options = std::make_shared<Options>(make_options({"", QTRAJ_ROTATION_SPLINE}));
+    for (const double* at : {static_cast<const double*>(inputs.queries.data), static_cast<const double*>(nullptr)})
+      list.push_back([=] {
+        qtraj_batch_sample(options->get(), kSeries, inputs.key_offsets, inputs.times.data, inputs.q.data,
+                           inputs.sample_offsets, at, nullptr, 0, q.data, statuses.data(), nullptr);
+      });
+    list.push_back([=] {
+      const double step = 0.1;
+      qtraj_batch_times(kSeries, inputs.key_offsets, inputs.times.data, &step, 1, inputs.sample_offsets, q.data,
+                        nullptr, nullptr);
+    });
+    list.push_back([=] {
+      qtraj_batch_mean_eigen(kSeries, inputs.key_offsets, inputs.q.data, nullptr, omega.data, nullptr, nullptr,
+                             nullptr);
     });
   }
   void add_functions() {

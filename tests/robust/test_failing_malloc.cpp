@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include "support/capi_batches.hpp"
 #include "support/capi_means.hpp"
 #include "support/capi_variants.hpp"
 #include "support/row_functions.hpp"
@@ -121,6 +122,40 @@ TEST_CASE("C API: options and the spline without memory are NO_MEMORY and write 
   CHECK(allocations.live == live);
 }
 
+TEST_CASE("C API: a batch allocates once, in memory of the caller never, and without memory writes nothing",
+          "[robust][memory]") {
+  const int live = allocations.live;
+  for (const Variant& variant : variants()) {
+    CAPTURE(variant.name);
+    const Table<double> table(9, variant);
+    const Options options = make_options(variant);
+    std::vector<int32_t> statuses(9, 77);
+    const int times_failed = fail_in_turn([&] {
+      Motion<double> out(table.rows());
+      out.q[0] = 77;
+      BatchCall<double> call = table.call(options.get(), out, true);
+      call.status_out = statuses.data();
+      size_t bad_index = 3;
+      const qtraj_status status = call(&bad_index);
+      const int errno_after = errno;
+      CHECK(bad_index == SIZE_MAX);
+      CHECK((status == QTRAJ_OK) == (statuses[0] == QTRAJ_OK));
+      CHECK((status == QTRAJ_OK) == (out.q[0] != 77));
+      errno = errno_after;
+      return status;
+    });
+    CHECK(times_failed == 1);
+    size_t bytes = 0;
+    REQUIRE(qtraj_init_size(options.get(), table.longest(), &bytes) == QTRAJ_OK);
+    std::vector<double> memory(bytes / sizeof(double));
+    Motion<double> out(table.rows());
+    BatchCall<double> call = table.call(options.get(), out, true);
+    call.memory = memory.data(), call.bytes = bytes, call.sample_times = nullptr;
+    must_not_allocate([&] { CHECK(call(nullptr) == QTRAJ_OK); });
+  }
+  CHECK(allocations.live == live);
+}
+
 TEST_CASE("C API: sampling, curve diagnostics and functions over arrays allocate nothing", "[robust][memory]") {
   for (const Variant& variant : variants()) {
     CAPTURE(variant.name);
@@ -151,6 +186,11 @@ TEST_CASE("C API: sampling, curve diagnostics and functions over arrays allocate
     double mean[4];
     qtraj_mean_eigen(q.data(), nullptr, 300, mean, nullptr, nullptr);
     qtraj_mean_karcher(q.data(), nullptr, 300, 0, 100, mean, nullptr, nullptr, nullptr);
+    const int64_t offsets[] = {0, 100, 300};
+    double means[8], moments[11] = {};
+    qtraj_batch_mean_eigen(2, offsets, q.data(), nullptr, means, nullptr, nullptr, nullptr);
+    qtraj_moments_add(q.data(), nullptr, 300, moments, nullptr);
+    qtraj_mean_from_moments(moments, mean, nullptr);
   });
 }
 

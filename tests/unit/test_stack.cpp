@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "support/capi_batches.hpp"
 #include "support/kernel_curves.hpp"
 #include "support/painted_stack.hpp"
 #include "support/row_functions.hpp"
@@ -168,6 +169,29 @@ void add_construction(const Variant& variant, std::vector<NamedCall>& calls) {
   for_double_and_float(add);
 }
 
+// Many curves: the stack of a constructor, or that of a sampler, and what lies between.
+void add_batches(const Variant& variant, std::vector<NamedCall>& calls) {
+  const auto add = [&](auto zero) {
+    using Real = decltype(zero);
+    struct Case {
+      Options options;
+      Table<Real> table;
+      Motion<Real> out;
+      std::vector<int32_t> statuses;
+    };
+    for (const bool evenly : {false, true}) {
+      const Table<Real> table(20, variant, 30);
+      const auto c = std::make_shared<Case>(
+          Case{make_options(variant), table, Motion<Real>(table.rows()), std::vector<int32_t>(20)});
+      BatchCall<Real> call = c->table.call(c->options.get(), c->out, true);
+      call.status_out = c->statuses.data();
+      if (evenly) call.sample_times = nullptr;
+      calls.push_back({"many curves", variant.name, [=] { call(nullptr), (void)c; }});
+    }
+  };
+  for_double_and_float(add);
+}
+
 // The methods that take numbers of turns.
 void add_construction_with_turns(std::vector<NamedCall>& calls) {
   for (const int32_t method : {QTRAJ_SLERP, QTRAJ_ROTATION_SPLINE, QTRAJ_HERMITE, QTRAJ_ROTATION_QUINTIC}) {
@@ -290,6 +314,23 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
       });
     }
   }
+  add("means", "moments", [&] {
+    double moments[11] = {}, mean[4], gap;
+    qtraj_moments_add(a.q.data(), a.fractions.data(), kTimes, moments, nullptr);
+    qtraj_mean_from_moments(moments, mean, &gap);
+  });
+  add("many curves", "mean_eigen of float", [&] {
+    const int64_t offsets[] = {0, 3, 700, 999};
+    qtraj_batch_mean_eigen_f32(3, offsets, a.q_f32.data(), a.fractions_f32.data(), a.out_f32.data(), nullptr, nullptr,
+                               nullptr);
+  });
+  add("many curves", "times at a step", [&] {
+    const int64_t offsets[] = {0, 100, kKeys};
+    const double step = 0.3;
+    int64_t rows[3];
+    qtraj_batch_step_offsets(2, offsets, a.times.data(), &step, 1, rows, nullptr, nullptr);
+    qtraj_batch_times(2, offsets, a.times.data(), &step, 1, rows, a.out.data(), nullptr, nullptr);
+  });
   add("sample diagnostics", "estimate_omega", [&] {
     qtraj_estimate_omega(QTRAJ_FRAME_WORLD, a.times.data(), a.q.data(), kKeys, nullptr, a.out.data(), nullptr);
   });
@@ -325,7 +366,7 @@ struct AllCalls {
     curves = test::kernel_curves(QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_CONSTANT_RATE);
     for (const test::KernelCurve& curve : curves) add_sampling(curve, arrays, calls);
     add_sampling_of_many(curves, arrays, calls);
-    for (const Variant& variant : variants()) add_construction(variant, calls);
+    for (const Variant& variant : variants()) add_construction(variant, calls), add_batches(variant, calls);
     add_construction_with_turns(calls);
     add_rows(arrays, calls);
   }
