@@ -1572,6 +1572,7 @@ QTRAJ_API qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajecto
                                                 int32_t frame, double time, size_t* cursor, float* q_out,
                                                 float* omega_out, float* alpha_out, float* p_out, float* v_out,
                                                 float* a_out);
+
 /** @} */
 
 /* ---- Many curves: series of rows in shared arrays, told apart by offsets ---- */
