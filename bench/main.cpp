@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   bench::add_single();
   bench::add_construction();
   bench::add_vectors();
+  bench::add_batches();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -38,6 +38,12 @@ AT_LEAST += [
     (Row("slerp_f64", "sorted", "warm", 1000, 10**6), "bytes", 1 / 2, 1 / 2),
     (Row("slerp_f64", "sorted", "warm", 1000, 10**7), "bytes", 1 / 1.3, 1 / 1.3),
 ]
+# Many curves in one call: at most 1.1 times a loop over them, and 1.2 times the sampling of curves that are there.
+AT_LEAST += [
+    (Row("batch_ragged_slerp_f64", "sorted", "warm", 12, 2 * 10**6), "loop", 1 / 1.1, 1 / 1.1),
+    (Row("batch_ragged_rotation_spline_f64", "sorted", "warm", 12, 2 * 10**6), "loop", 1 / 1.1, 1 / 1.1),
+    (Row("batch_slerp_f64", "sorted", "warm", 16, 2 * 10**6), "sampling", 1 / 1.2, 1 / 1.2),
+]
 # At most so many ns.
 LATENCY = (Row("sample_at_f64", "sorted", "warm", 1000, 10**4), 25)
 # Time per unit of the first over that of the second, at most.

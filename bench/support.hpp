@@ -220,5 +220,6 @@ void add_means();
 void add_single();
 void add_construction();
 void add_vectors();
+void add_batches();
 
 }  // namespace bench
