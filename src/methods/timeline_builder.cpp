@@ -38,8 +38,8 @@ void build_timeline(const Options& options, bool holds_keys, Timeline& timeline)
   timeline.before = {options.start.extrapolate, first, first};
   timeline.after = {options.end.extrapolate, last, last};
   set_reach(timeline);
-  // before 0 a normal number: a subnormal one is 0 where a processor was told so
-  const double before_last = last == 0 ? -DBL_MIN : std::nextafter(last, first);
+  // beside 0 a normal number: a subnormal one is 0 where a processor was told so, and the C library tells errno of it
+  const double before_last = std::abs(last) <= DBL_MIN ? last - 2.0 * DBL_MIN : std::nextafter(last, first);
   timeline.last_inside = options.wraps() || holds_keys ? before_last : last;
   timeline.half_period =
       options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);

@@ -215,6 +215,23 @@ TEST_CASE("C API: setters, sizes and getters raise nothing", "[capi][floating]")
   }
 }
 
+TEST_CASE("C API: curves that end at 0 or beside it leave flags and errno alone", "[capi][floating]") {
+  const double lasts[] = {0, 5e-324, -5e-324, 1e-310, -1e-310, DBL_MIN, -DBL_MIN, 2 * DBL_MIN, -2 * DBL_MIN};
+  const double q[] = {1, 0, 0, 0, 1, 0, 0, 1};
+  for (const double last : lasts) {
+    CAPTURE(last);
+    const double times[] = {-1, last};
+    qtraj_trajectory* made = nullptr;
+    double end[4] = {0, 0, 0, 0};
+    qtraj_status status = QTRAJ_E_INTERNAL;
+    CHECK(disturbance([&] { status = qtraj_create(QTRAJ_SLERP, times, q, 2, &made, nullptr); }) == kNothing);
+    const Trajectory curve(made);
+    REQUIRE(status == QTRAJ_OK);
+    CHECK(qtraj_sample_at(made, last, nullptr, end) == QTRAJ_OK);
+    CHECK(std::abs(end[3] - std::sqrt(0.5)) < 1e-15);
+  }
+}
+
 TEST_CASE("C API: in other rounding modes samples stay finite and the mode stays set", "[capi][floating]") {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
     for (const Variant& variant : variants()) {
