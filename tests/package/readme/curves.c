@@ -1,4 +1,4 @@
-/* docs/curves.md: what becomes of the keys, uniform and even times, cursors, what a trajectory tells. */
+/* docs/curves.md: what becomes of the keys, uniform and even times, cursors, many curves, what a trajectory tells. */
 #include <math.h>
 #include <string.h>
 
@@ -76,8 +76,43 @@ static void check_getters(void) {
   CHECK(strcmp(qtraj_version(), QTRAJ_VERSION_STRING) == 0 && qtraj_version_number() == QTRAJ_VERSION_NUMBER);
 }
 
+/* Three series: the keys, one key alone, and the keys again, of which a slice is sampled. */
+static void check_many_curves(void) {
+  const int64_t key_offsets[] = {0, count, count + 1, 2 * count + 1}, sample_offsets[] = {5, 10, 12, 17};
+  double t[2 * count + 1], q[2 * count + 1][4], out[20][4], even[5], alone[5][4];
+  int32_t statuses[3];
+  size_t bad;
+  qtraj_options* options = options_of(QTRAJ_SQUAD);
+  qtraj_trajectory* curve = build(QTRAJ_SQUAD, count, times, keys);
+  memcpy(t, times, sizeof times);
+  memcpy(q, keys, sizeof keys);
+  memcpy(t + count, times, sizeof times[0]);
+  memcpy(q + count, keys, sizeof keys[0]);
+  memcpy(t + count + 1, times, sizeof times);
+  memcpy(q + count + 1, keys, sizeof keys);
+  out[4][0] = out[17][0] = 7;
+  CHECK(qtraj_batch_sample(options, 3, key_offsets, t, q[0], sample_offsets, NULL, NULL, 0, out[0], statuses, &bad) ==
+        QTRAJ_E_TOO_FEW);
+  CHECK(bad == 1 && statuses[0] == QTRAJ_OK && statuses[1] == QTRAJ_E_TOO_FEW && statuses[2] == QTRAJ_OK);
+  CHECK(isnan(out[10][0]) && isnan(out[11][3]) && out[4][0] == 7 && out[17][0] == 7);
+  /* evenly from the first to the last key, to the last bit what the curve alone gives */
+  CHECK(!qtraj_even_times(times[0], times[count - 1], 5, even) && !qtraj_sample(curve, even, 5, alone[0], NULL));
+  CHECK(memcmp(out[5], alone, sizeof alone) == 0 && memcmp(out[12], alone, sizeof alone) == 0);
+  /* the last of the three is a call of its own */
+  memset(out, 0, sizeof out);
+  CHECK(
+      !qtraj_batch_sample(options, 1, key_offsets + 2, t, q[0], sample_offsets + 2, NULL, NULL, 0, out[0], NULL, NULL));
+  CHECK(memcmp(out[12], alone, sizeof alone) == 0 && out[11][0] == 0);
+  CHECK(!qtraj_options_set_longest_gap(options, 0.5));
+  CHECK(qtraj_batch_sample(options, 3, key_offsets, t, q[0], sample_offsets, NULL, NULL, 0, out[0], statuses, NULL) ==
+        QTRAJ_E_GAP);
+  qtraj_destroy(curve);
+  qtraj_options_destroy(options);
+}
+
 void check_curves(void) {
   check_keys();
   check_times();
+  check_many_curves();
   check_getters();
 }

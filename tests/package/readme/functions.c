@@ -160,6 +160,19 @@ static void check_float(void) {
     for (k = 0; k < 4; ++k) CHECK(single[i][k] == (float)wide[i][k]);
 }
 
+/* Moments of two parts, added number by number, have the mean of all; w >= 0. */
+static void check_moments(void) {
+  double moments[2][11] = {{0}}, mean[4], whole[4], angle;
+  int k;
+  CHECK(!qtraj_moments_add(keys[0], NULL, 3, moments[0], NULL));
+  CHECK(!qtraj_moments_add(keys[3], NULL, count - 3, moments[1], NULL));
+  for (k = 0; k < 11; ++k) moments[0][k] += moments[1][k];
+  CHECK(moments[0][0] == count);
+  CHECK(!qtraj_mean_from_moments(moments[0], mean, NULL) && mean[0] >= 0);
+  CHECK(!qtraj_mean_eigen(keys[0], NULL, count, whole, NULL, NULL));
+  CHECK(!qtraj_rotation_angle(mean, 1, whole, 1, 1, &angle, NULL) && angle < 1e-14);
+}
+
 void check_functions(void) {
   check_paths();
   check_keys_and_algebra();
@@ -167,4 +180,5 @@ void check_functions(void) {
   check_samples();
   check_spline();
   check_float();
+  check_moments();
 }
