@@ -38,12 +38,12 @@ Status sample_rows(const Trajectory& curve, const double* times, const Batch& ba
 Status sample_evenly(const Trajectory& curve, const Batch& batch, const RowRange& rows, const BatchMemory& memory) {
   auto* const times = static_cast<double*>(memory.workspace);
   const size_t room = std::min(kEvenTimes, memory.workspace_bytes / sizeof(double));
-  const double* const knots = knots_of(curve);
+  const double* const knots = knots_of(curve.timeline);
   Status first = Status::ok;
   size_t cursor = 0;
   for (size_t row = 0; row < rows.count; row += room) {
     const size_t count = std::min(room, rows.count - row);
-    write_even_times(knots[0], knots[curve.key_count - 1], rows.count, row, count, times);
+    write_even_times(knots[0], knots[curve.timeline.key_count - 1], rows.count, row, count, times);
     const Status status = sample_rows(curve, times, batch, {rows.first + row, count}, cursor);
     if (first == Status::ok) first = status;
   }
