@@ -278,7 +278,7 @@ TEST_CASE("no reference file is left out", "[vectors]") {
   for (const auto& entry : std::filesystem::directory_iterator(QTRAJ_REFERENCE_DIR)) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".txt" || name == "means" || name == "unnormalized" || name == "turns" ||
-        name == "screw")
+        name == "screw" || name == "vector_curves")
       continue;
     CAPTURE(name);
     CHECK(std::count(names.begin(), names.end(), name) == 1);
