@@ -1,10 +1,11 @@
 #include "diagnostics/common_unit.hpp"
 
 #include <algorithm>
-#include <cfloat>
 #include <climits>
+#include <cmath>
 
 #include "diagnostics/rate_bounds.hpp"
+#include "math/product.hpp"
 
 namespace qtraj {
 namespace {
@@ -30,33 +31,6 @@ int twice_power(Quantity quantity) {
   }
   return 0;
 }
-
-// A quotient of numbers of any size, its exponent kept apart.
-class Quotient {
- public:
-  explicit Quotient(double value) { mantissa_ = std::frexp(value, &exponent_); }
-  Quotient& operator/=(double divisor) {
-    int exponent, shift;
-    const double mantissa = std::frexp(divisor, &exponent);
-    mantissa_ = std::frexp(mantissa_ / mantissa, &shift);
-    exponent_ += shift - exponent;
-    return *this;
-  }
-  // False where it overflows. Not by ldexp, which writes errno.
-  bool value(double& result) const {
-    if (mantissa_ != 0 && exponent_ > DBL_MAX_EXP) return false;
-    result = mantissa_;
-    int exponent = std::max(exponent_, -2000);
-    for (; exponent < -500; exponent += 500) result *= 0x1p-500;
-    for (; exponent > 500; exponent -= 500) result *= 0x1p500;
-    result *= std::ldexp(1.0, exponent);
-    return true;
-  }
-
- private:
-  double mantissa_;
-  int exponent_;
-};
 
 }  // namespace
 
@@ -87,7 +61,7 @@ CommonUnit::Weight CommonUnit::weight(size_t segment) const {
 }
 
 bool CommonUnit::in_seconds(double value, bool squared, double& result) const {
-  Quotient quotient(value);
+  Product quotient(value);
   const int times = squared ? 2 : 1;
   for (int k = 0; k < times; ++k) quotient /= unit_;
   for (int k = 0; k < times * twice_power(quantity_) / 2; ++k) quotient /= 0.5 * duration_;
