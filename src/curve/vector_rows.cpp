@@ -5,6 +5,7 @@
 #include "curve/evaluate_vector.hpp"
 #include "curve/knot_lookup.hpp"
 #include "curve/sample_output.hpp"
+#include "math/product.hpp"
 
 namespace qtraj {
 namespace {
@@ -18,19 +19,26 @@ Status write_fault(Status status, const VectorOutputs<Real>& outputs, size_t dim
   return status;
 }
 
-// number / scale * factor^times, rounded to Real; false where a step of it overflows. The scale is a power of two.
+// Writes a number, rounded to Real; false where it overflows.
 template <class Real>
-bool finish(double number, double scale, double factor, int times, Real& to) {
-  for (; times > 0; --times)
-    if (!is_finite(number) || !scaled<double>(number, factor, number)) return false;
-  if (!is_finite(number)) return false;
-  if (scale != 1.0) {
-    if (scale < 1.0 && magnitude(number) > kLargest * scale) return false;
-    number /= scale;
-  }
-  if (magnitude(number) > largest_of<Real>()) return false;
+bool write_number(double number, Real& to) {
+  if (!is_finite(number) || magnitude(number) > largest_of<Real>()) return false;
   to = static_cast<Real>(number);
   return true;
+}
+
+// number / scale * rate^times, rounded to Real; false where it overflows. The scale is a power of two.
+template <class Real>
+bool finish(double number, double scale, double rate, int times, Real& to) {
+  if (!is_finite(number)) return false;
+  if (scale != 1.0) {
+    Product product(number);
+    for (product /= scale; times > 0; --times) product *= rate;
+    return product.value(number) && write_number(number, to);
+  }
+  for (; times > 0; --times)
+    if (!scaled<double>(number, rate, number)) return false;
+  return write_number(number, to);
 }
 
 // The numbers of a component.
@@ -94,15 +102,14 @@ Status evaluate(const VectorCurve& curve, size_t index, double elapsed, const Ve
   });
 }
 
-// The derivative by time at an end, in the scale of the component; false where it overflows.
-bool end_slope(const VectorCurve& curve, const VectorSegment& segment, const SegmentPosition<double>& at, size_t c,
-               double& slope) {
+// The derivative by u at an end, in the scale of the component.
+double end_slope(const VectorCurve& curve, const VectorSegment& segment, const SegmentPosition<double>& at, size_t c) {
+  double first, second;
   with_terms(curve.terms, [&](auto terms) {
     constexpr size_t kTerms = decltype(terms)::value;
-    double second;
-    vector_derivatives<kTerms>(component_of<kTerms>(curve, segment, at, c), at, slope, second);
+    vector_derivatives<kTerms>(component_of<kTerms>(curve, segment, at, c), at, first, second);
   });
-  return is_finite(slope) && scaled<double>(slope, 1.0 / segment.h, slope);
+  return first;
 }
 
 template <class Real>
@@ -113,6 +120,22 @@ Status sample_inside(const VectorCurve& curve, double time, size_t& cursor, cons
   return evaluate(curve, cursor, time - index.knots[cursor], outputs);
 }
 
+// A component on the straight line from an end: end + 2 slope half_elapsed. False where it overflows.
+template <class Real>
+bool straight_on(double end, double slope, double scale, double rate, double half_elapsed, Real& to) {
+  Product product(slope);
+  product /= scale;
+  product *= rate;
+  product *= half_elapsed;
+  product *= 0.5;
+  double way;  // a quarter of it
+  if (!product.value(way)) return false;
+  // In quarters, as the way and the sum may overflow; a sum that is small is taken whole: quarters could be subnormal.
+  const double key = end / scale, quarter = 0.25 * key + way;
+  if (magnitude(quarter) > 0.25 * kLargest) return false;
+  return write_number(magnitude(quarter) > 1.0 ? 4.0 * quarter : key + 4.0 * way, to);
+}
+
 // The straight line on from an end, or, under HOLD and of a key that stands apart, the end.
 template <class Real>
 Status go_on_from_end(const VectorCurve& curve, const Place& place, const VectorOutputs<Real>& outputs) {
@@ -121,23 +144,16 @@ Status go_on_from_end(const VectorCurve& curve, const Place& place, const Vector
   const bool moves = place.beyond->rule == Extrapolate::constant_rate && !curve.holds_keys;
   // halved first: the difference may overflow
   const double half_elapsed = 0.5 * place.time - 0.5 * place.beyond->knot;
-  if (moves && magnitude(half_elapsed) > 0.5 * kLargest) return write_fault(Status::not_finite, outputs, curve.dim);
-  const double elapsed = moves ? place.time - place.beyond->knot : 0.0;
 
   const VectorSegment segment = vector_segment(curve, is_after ? timeline.key_count - 2 : 0);
   const double* const end = vector_keys_of(curve) + (is_after ? (timeline.key_count - 1) * curve.dim : 0);
   const SegmentPosition<double> at(is_after ? 1.0 : 0.0);
-  const double* const scales = scales_of(curve);
+  const double rate = 1.0 / segment.h;
   for (size_t c = 0; c < curve.dim; ++c) {
-    double slope = 0, way;
-    if (moves) {
-      if (!end_slope(curve, segment, at, c, slope) || !scaled<double>(slope, magnitude(elapsed), way) ||
-          magnitude(0.5 * end[c] + 0.5 * way) > 0.5 * kLargest)
-        return write_fault(Status::not_finite, outputs, curve.dim);
-    }
-    const double value = moves ? end[c] + slope * elapsed : end[c];
-    if ((outputs.value && !finish(value, scales[c], 1.0, 0, outputs.value[c])) ||
-        (outputs.first && !finish(slope, scales[c], 1.0, 0, outputs.first[c])))
+    const double scale = scales_of(curve)[c], slope = moves ? end_slope(curve, segment, at, c) : 0.0;
+    if (!is_finite(slope) ||
+        (outputs.value && !straight_on(end[c], slope, scale, rate, half_elapsed, outputs.value[c])) ||
+        (outputs.first && !finish(slope, scale, rate, 1, outputs.first[c])))
       return write_fault(Status::not_finite, outputs, curve.dim);
     if (outputs.second) outputs.second[c] = 0;
   }
