@@ -54,7 +54,8 @@ class VectorBuilder {
   // key before it.
   Outcome in_input(const Outcome& outcome) const {
     if (outcome.index == kNoIndex || outcome.index < input_.count) return outcome;
-    return {outcome.status, outcome.status == Status::rate_too_fast ? 0 : input_.count - 1};
+    const bool is_of_first = outcome.status == Status::rate_too_fast && curve_.method != kCubic;
+    return {outcome.status, is_of_first ? 0 : input_.count - 1};
   }
 
   // ---- Times and keys ----
@@ -93,13 +94,40 @@ class VectorBuilder {
     return status == Status::ok ? Outcome{} : Outcome{status, input_.count - 1};
   }
 
-  // Copies a component, scaled to a largest value of 1 to 4 where it is of extreme size.
+  // Copies a component, scaled to a largest value of 1 to 4 where it is of extreme size. Small keys between which given
+  // derivatives lead far away are not of small size.
   void copy_component(size_t c) {
     double largest = 0;
     for (size_t i = 0; i < input_.count; ++i) largest = std::max(largest, magnitude(input_.values[i * dim_ + c]));
+    if (largest < 1.0 / kOrdinary) largest = std::max(largest, largest_way(c));
     const bool is_extreme = largest > 0 && (largest > kOrdinary || largest < 1.0 / kOrdinary);
     scales_[c] = is_extreme ? normalizing_scale(largest) : 1.0;
     for (size_t i = 0; i < count_; ++i) key(i, c) = scales_[c] * input_.values[input_.row_of_key(i) * dim_ + c];
+  }
+
+  // The largest of the given derivatives times the intervals beside them, at most 1.
+  double largest_way(size_t c) const {
+    double largest = 0;
+    for (size_t i = 0; i + 1 < count_; ++i)
+      for (size_t end = 0; end < 2; ++end) {
+        const size_t row = first_row(i + end);
+        if (input_.first.data && row != kNoIndex) largest = std::max(largest, way(input_.first, row, c, step(i), 1));
+        if (input_.second.data) largest = std::max(largest, way(input_.second, row, c, step(i), 2));
+      }
+    return largest;
+  }
+  double way(const Numbers& derivatives, size_t row, size_t c, double h, int times) const {
+    double product = derivatives[row * dim_ + c];
+    for (; times > 0; --times)
+      if (!scaled<double>(product, h, product)) return 1.0;
+    return std::min(magnitude(product), 1.0);
+  }
+
+  // The row of first derivatives that is of a key; none of one within a CUBIC, or at an end of it that is not given.
+  size_t first_row(size_t key) const {
+    if (curve_.method != kCubic) return input_.row_of_key(key);
+    if (key == 0 && options_.start.condition == End::given) return 0;
+    return key + 1 == count_ && options_.end.condition == End::given ? 1 : kNoIndex;
   }
 
   // Replaces the last key by the first; false where they are far apart.
