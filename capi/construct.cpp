@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "methods/build.hpp"
+#include "methods/method.hpp"
 
 using namespace qtraj;
 
@@ -67,7 +68,8 @@ qtraj_status create_with_method(int32_t method, const Request& request) {
   const Status status = begin(request);
   if (status != Status::ok) return capi::to_c(status);
   Options options;
-  if (Options::make(static_cast<Method>(method), options) != Status::ok) return QTRAJ_E_VALUE;
+  const Method core_method = static_cast<Method>(method);
+  if (!find_method(core_method) || Options::make(core_method, options) != Status::ok) return QTRAJ_E_VALUE;
   return create_on_heap(options, request);
 }
 
