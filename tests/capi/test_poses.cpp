@@ -68,7 +68,8 @@ Curves<Real> curves(const Variant& variant, const VectorVariant& vector, size_t 
   const Keyframes<Real> keys = closed_tour<Real>(20);
   VectorKeys<Real> positions = vector_tour<Real>(vector, same_knots ? 20 : 27, dim);
   if (same_knots) positions.times = keys.times;
-  return {must_build(options.get(), keys, rates_for<Real>(variant, 20)), must_build_vector(of_vectors.get(), positions)};
+  return {must_build(options.get(), keys, rates_for<Real>(variant, 20)),
+          must_build_vector(of_vectors.get(), positions)};
 }
 
 TEST_CASE("C API: poses are the samples of both curves, bit for bit", "[capi][poses]") {
@@ -127,8 +128,9 @@ struct Partial {
     const Options options = make_options({"", QTRAJ_SLERP}), of_vectors = vector_options(QTRAJ_VECTOR_LINEAR);
     for (qtraj_options* some : {options.get(), of_vectors.get()})
       REQUIRE(qtraj_options_set_longest_gap(some, 1.5) == QTRAJ_OK);
-    trajectory = must_build(options.get(), Keyframes<double>{{0, 1, 3, 4}, {1, 0, 0, 0, 0.8, 0.6, 0, 0,  //
-                                                                            0, 1, 0, 0, 1, 0, 0, 0}});
+    trajectory = must_build(options.get(), Keyframes<double>{{0, 1, 3, 4},
+                                                             {1, 0, 0, 0, 0.8, 0.6, 0, 0,  //
+                                                              0, 1, 0, 0, 1, 0, 0, 0}});
     positions = must_build_vector(of_vectors.get(), VectorKeys<double>{{1, 2, 3, 4, 6}, {1, 2, 3, 4, 6}, {}, {}, 1});
   }
 };
@@ -279,7 +281,8 @@ TEST_CASE("C API: poses refuse what is missing, no handle, too large or unknown,
   check_refusal(QTRAJ_E_NULL, [](auto& a) { a.trajectory = nullptr; });
   check_refusal(QTRAJ_E_NULL, [](auto& a) { a.positions = nullptr; });
   check_refusal(QTRAJ_E_NULL, drop_outputs);
-  check_refusal(QTRAJ_E_NULL, [](auto& a) { a.times = nullptr; }, false);
+  check_refusal(
+      QTRAJ_E_NULL, [](auto& a) { a.times = nullptr; }, false);
   check_refusal(QTRAJ_E_NULL, [](auto& a) { a.count = 0, a.trajectory = nullptr; });
   check_refusal(QTRAJ_E_NULL, [](auto& a) { a.count = 0, a.positions = nullptr; });
   check_refusal(QTRAJ_E_NULL, [](auto& a) {
@@ -290,8 +293,7 @@ TEST_CASE("C API: poses refuse what is missing, no handle, too large or unknown,
   // each handle, and each in the place of the other
   check_refusal(QTRAJ_E_HANDLE, [](auto& a) { a.trajectory = reinterpret_cast<const qtraj_trajectory*>(kNothing); });
   check_refusal(QTRAJ_E_HANDLE, [](auto& a) { a.positions = reinterpret_cast<const qtraj_vector_curve*>(kNothing); });
-  check_refusal(QTRAJ_E_HANDLE,
-                [](auto& a) { a.trajectory = reinterpret_cast<const qtraj_trajectory*>(a.positions); });
+  check_refusal(QTRAJ_E_HANDLE, [](auto& a) { a.trajectory = reinterpret_cast<const qtraj_trajectory*>(a.positions); });
   check_refusal(QTRAJ_E_HANDLE,
                 [](auto& a) { a.positions = reinterpret_cast<const qtraj_vector_curve*>(a.trajectory); });
   check_refusal(QTRAJ_E_HANDLE, [](auto& a) {
@@ -299,7 +301,8 @@ TEST_CASE("C API: poses refuse what is missing, no handle, too large or unknown,
     a.count = SIZE_MAX, a.frame = 0;
   });
   for (const size_t count : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 16 + 1})
-    check_refusal(QTRAJ_E_SIZE, [=](auto& a) { a.count = count, a.frame = 0; }, false);
+    check_refusal(
+        QTRAJ_E_SIZE, [=](auto& a) { a.count = count, a.frame = 0; }, false);
   for (const int32_t frame : kUnknown) check_refusal(QTRAJ_E_VALUE, [=](auto& a) { a.frame = frame; });
   check_refusal(QTRAJ_E_VALUE, [](auto& a) { a.frame = 0, a.out.at[1] = nullptr, a.out.at[2] = a.out.at[0]; });
 }

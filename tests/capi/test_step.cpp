@@ -133,8 +133,13 @@ TEST_CASE("C API: outside its knots STEP holds its ends, or has no value, or rep
       CAPTURE(rule);
       const Steps<Real> steps(rule);
       const double first = steps.keys.times.front(), last = steps.keys.times.back(), period = last - first;
-      const std::vector<double> times = {test::before_all(first, last), first - 0.5, -1e300, test::after_all(first, last),
-                                         last + 0.01, last + 1e9, 1e300};
+      const std::vector<double> times = {test::before_all(first, last),
+                                         first - 0.5,
+                                         -1e300,
+                                         test::after_all(first, last),
+                                         last + 0.01,
+                                         last + 1e9,
+                                         1e300};
       if (rule == QTRAJ_EXTRAPOLATE_ERROR) {
         for (const double time : times) {
           Real q[4], p[3];
@@ -177,7 +182,8 @@ TEST_CASE("C API: a loop of STEP has the last key until the period ends", "[capi
   CHECK(qtraj_end_time(curve.get()) == 3.5);
   CHECK(qtraj_vector_key_count(vectors.get()) == 4);
   CHECK(qtraj_vector_end_time(vectors.get()) == 3.5);
-  const std::vector<double> times = {0, 0.99, 1, 2, std::nextafter(3.5, 0.0), 3.5, std::nextafter(3.5, 9.0), 4.5, -0.5, 7};
+  const std::vector<double> times = {0,   0.99, 1, 2, std::nextafter(3.5, 0.0), 3.5, std::nextafter(3.5, 9.0),
+                                     4.5, -0.5, 7};
   const std::vector<double> p = {5, 5, 6, 7, 7, 5, 5, 6, 7, 5}, x = {0, 0, 0.6, 1, 1, 0, 0, 0.6, 1, 0};
   CHECK(must_sample_vectors<double>(vectors.get(), times).value == p);
   const std::vector<double> q = must_sample<double>(curve.get(), times);
@@ -188,8 +194,7 @@ TEST_CASE("C API: gaps of STEP have no value, their knots do", "[capi][step][gap
   const Keyframes<double> keys = {{0, 1, 5, 6}, {1, 0, 0, 0, 0.8, 0.6, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
   const VectorKeys<double> positions = {keys.times, {5, 6, 7, 8}, {}, {}, 1};
   const Options options = make_options({"", QTRAJ_STEP}), vector = vector_options(QTRAJ_VECTOR_STEP);
-  for (qtraj_options* some : {options.get(), vector.get()})
-    REQUIRE(qtraj_options_set_longest_gap(some, 2) == QTRAJ_OK);
+  for (qtraj_options* some : {options.get(), vector.get()}) REQUIRE(qtraj_options_set_longest_gap(some, 2) == QTRAJ_OK);
   const Trajectory curve = must_build(options.get(), keys);
   const VectorCurve vectors = must_build_vector(vector.get(), positions);
   const double times[] = {0, 1, 1.1, 4.9, 5, 6}, expected[] = {5, 6, NAN, NAN, 7, 8};

@@ -1,5 +1,5 @@
-// What vector curves are: the key at every knot, constants, lines and cubics, continuous derivatives, components of their
-// own.
+// What vector curves are: the key at every knot, constants, lines and cubics, continuous derivatives, components of
+// their own.
 #include <cfloat>
 #include <cmath>
 

@@ -31,7 +31,8 @@ VectorCurve curve_by(const VectorVariant& variant, int32_t rule, size_t count = 
 TEST_CASE("C API: a vector curve holds, goes straight on or ends outside its knots", "[capi][vector][extrapolation]") {
   for (const VectorVariant& variant : vector_variants()) {
     CAPTURE(variant.name);
-    const VectorCurve error = curve_by(variant, QTRAJ_EXTRAPOLATE_ERROR), hold = curve_by(variant, QTRAJ_EXTRAPOLATE_HOLD),
+    const VectorCurve error = curve_by(variant, QTRAJ_EXTRAPOLATE_ERROR),
+                      hold = curve_by(variant, QTRAJ_EXTRAPOLATE_HOLD),
                       rate = curve_by(variant, QTRAJ_EXTRAPOLATE_CONSTANT_RATE);
     const double first = qtraj_vector_start_time(error.get()), last = qtraj_vector_end_time(error.get());
     for (const bool is_after : {false, true}) {
@@ -98,7 +99,8 @@ TEST_CASE("C API: far away a vector is a number or NOT_FINITE, and nothing in be
   for (const double time : {2.5e307, -2.5e307, DBL_MAX, -DBL_MAX}) {
     at = vector_at(curve.get(), time);
     CHECK(at.status == QTRAJ_E_NOT_FINITE);
-    for (size_t c = 0; c < 3; ++c) CHECK((std::isnan(at.value[c]) && std::isnan(at.first[c]) && std::isnan(at.second[c])));
+    for (size_t c = 0; c < 3; ++c)
+      CHECK((std::isnan(at.value[c]) && std::isnan(at.first[c]) && std::isnan(at.second[c])));
     double first[3];  // what does not overflow is there when it alone is asked for
     CHECK(qtraj_vector_sample_at(curve.get(), time, nullptr, nullptr, first, nullptr) == QTRAJ_OK);
     CHECK((first[0] == 8 && first[2] == 0));
@@ -228,10 +230,10 @@ TEST_CASE("C API: a time in a gap has no vector, its knots have", "[capi][vector
             const bool in_gap = times[i] > from && times[i] < to;
             if (in_gap) first = i;
             for (size_t k = dim * i; k < dim * (i + 1); ++k)
-              wrong += in_gap ? !std::isnan(motion.value[k]) || !std::isnan(motion.first[k]) ||
-                                    !std::isnan(motion.second[k])
-                              : motion.value[k] != expected.value[k] || motion.first[k] != expected.first[k] ||
-                                    motion.second[k] != expected.second[k];
+              wrong +=
+                  in_gap ? !std::isnan(motion.value[k]) || !std::isnan(motion.first[k]) || !std::isnan(motion.second[k])
+                         : motion.value[k] != expected.value[k] || motion.first[k] != expected.first[k] ||
+                               motion.second[k] != expected.second[k];
             std::vector<Real> one(dim);
             wrong += vector_sample_at(curve.get(), times[i], nullptr, one.data(), static_cast<Real*>(nullptr),
                                       static_cast<Real*>(nullptr)) != (in_gap ? QTRAJ_E_GAP : QTRAJ_OK);

@@ -132,8 +132,8 @@ TEST_CASE("C API: options of one kind are no options of the other", "[capi][vect
 
 TEST_CASE("C API: settings that mean nothing to a vector curve are SETTING", "[capi][vector][errors]") {
   const double omega[3] = {0, 0, 0}, q[4] = {1, 0, 0, 0};
-  for (const int32_t method : {QTRAJ_VECTOR_STEP, QTRAJ_VECTOR_LINEAR, QTRAJ_VECTOR_CUBIC, QTRAJ_VECTOR_HERMITE,
-                               QTRAJ_VECTOR_QUINTIC}) {
+  for (const int32_t method :
+       {QTRAJ_VECTOR_STEP, QTRAJ_VECTOR_LINEAR, QTRAJ_VECTOR_CUBIC, QTRAJ_VECTOR_HERMITE, QTRAJ_VECTOR_QUINTIC}) {
     CAPTURE(method);
     const bool has_ends = method == QTRAJ_VECTOR_CUBIC;
     const Options options = vector_options(method);
@@ -170,9 +170,9 @@ TEST_CASE("C API: settings that mean nothing to a vector curve are SETTING", "[c
 }
 
 TEST_CASE("C API: sizes of vector curves that no memory can have are SIZE", "[capi][vector][errors]") {
-  const size_t hostile[] = {SIZE_MAX,         SIZE_MAX - 1,         SIZE_MAX / 2,  SIZE_MAX / 2 + 1, SIZE_MAX / 8,
-                            SIZE_MAX / 8 + 1, SIZE_MAX / 16,        SIZE_MAX / 24, SIZE_MAX / 64,    SIZE_MAX / 128,
-                            SIZE_MAX / 512,   SIZE_MAX / 1024 + 1};
+  const size_t hostile[] = {SIZE_MAX,      SIZE_MAX - 1,     SIZE_MAX / 2,   SIZE_MAX / 2 + 1,
+                            SIZE_MAX / 8,  SIZE_MAX / 8 + 1, SIZE_MAX / 16,  SIZE_MAX / 24,
+                            SIZE_MAX / 64, SIZE_MAX / 128,   SIZE_MAX / 512, SIZE_MAX / 1024 + 1};
   for (const VectorVariant& variant : vector_variants()) {
     for (const size_t huge : hostile) {
       CAPTURE(huge);
@@ -232,7 +232,8 @@ TEST_CASE("C API: the key that is not finite is told, wherever the number is", "
   for (const VectorVariant& variant : vector_variants())
     for (const double bad : {kNaN, kInfinity, -kInfinity})
       for (size_t key = 0; key < 6; ++key) {
-        check_refusal(variant, QTRAJ_E_NOT_FINITE, [=](auto& a) { a.keys.times[key] = bad; }, key);
+        check_refusal(
+            variant, QTRAJ_E_NOT_FINITE, [=](auto& a) { a.keys.times[key] = bad; }, key);
         for (size_t c = 0; c < 3; ++c) {
           check_refusal(
               variant, QTRAJ_E_NOT_FINITE,
@@ -285,15 +286,18 @@ TEST_CASE("C API: of a given end only its own row is read", "[capi][vector][erro
 
 TEST_CASE("C API: times of vector keys must increase, not too fast and not for too long", "[capi][vector][errors]") {
   for (const VectorVariant& variant : vector_variants()) {
-    check_refusal(variant, QTRAJ_E_TIME_ORDER, [](auto& a) { a.keys.times[3] = a.keys.times[2]; }, 3);
-    check_refusal(variant, QTRAJ_E_TIME_ORDER, [](auto& a) { a.keys.times[1] = -100; }, 1);
+    check_refusal(
+        variant, QTRAJ_E_TIME_ORDER, [](auto& a) { a.keys.times[3] = a.keys.times[2]; }, 3);
+    check_refusal(
+        variant, QTRAJ_E_TIME_ORDER, [](auto& a) { a.keys.times[1] = -100; }, 1);
     check_refusal(
         variant, QTRAJ_E_TIME_ORDER,
         [](auto& a) {
           for (size_t i = 0; i < 6; ++i) a.keys.times[i] = static_cast<double>(i) * 1e-155;
         },
         1);
-    check_refusal(variant, QTRAJ_E_TIME_SPAN, [](auto& a) { a.keys.times[0] = -1e308, a.keys.times[5] = 1e308; }, 5);
+    check_refusal(
+        variant, QTRAJ_E_TIME_SPAN, [](auto& a) { a.keys.times[0] = -1e308, a.keys.times[5] = 1e308; }, 5);
     // the first key at fault; at one key NOT_FINITE first
     check_refusal(
         variant, QTRAJ_E_TIME_ORDER, [](auto& a) { a.keys.times[2] = a.keys.times[1], a.keys.values[10] = NAN; }, 2);
@@ -302,8 +306,11 @@ TEST_CASE("C API: times of vector keys must increase, not too fast and not for t
     // a period that ends before the last key
     check_refusal(
         variant, QTRAJ_E_TIME_ORDER,
-        [](auto& a) { a.bytes *= 2;
-          CHECK(qtraj_options_set_period(a.options_of.get(), 0.1) == QTRAJ_OK); }, 5);
+        [](auto& a) {
+          a.memory.assign(2 * a.memory.size(), -7.0), a.bytes *= 2;
+          CHECK(qtraj_options_set_period(a.options_of.get(), 0.1) == QTRAJ_OK);
+        },
+        5);
   }
 }
 
@@ -368,7 +375,7 @@ TEST_CASE("C API: memory of a vector curve that is too small, not aligned or an 
       a.bytes = needed;
 
       // each input at the start, and its last number at the end, of the memory
-      const auto check_overlap = [&](const auto& input, auto Arguments<Real>::* pointer) {
+      const auto check_overlap = [&](const auto& input, auto Arguments<Real>::*pointer) {
         if (input.empty()) return;
         using Number = typename std::decay_t<decltype(input)>::value_type;
         const auto kept = a.*pointer;
@@ -415,8 +422,7 @@ TEST_CASE("C API: a vector curve in the caller's memory is that of the heap, and
             double* const memory = room.array((bytes + 7) / 8, at_end);
             qtraj_vector_curve* curve = nullptr;
             REQUIRE(vector_init(memory, bytes, options.get(), keys.times.data(), keys.values.data(),
-                                keys.first_or_null(), keys.second_or_null(), count, dim, &curve,
-                                nullptr) == QTRAJ_OK);
+                                keys.first_or_null(), keys.second_or_null(), count, dim, &curve, nullptr) == QTRAJ_OK);
             CHECK(room.holds_around(memory, (bytes + 7) / 8, 0x5a));
             const std::vector<double> times = times_in(keys.times, 7);
             room.protect(PROT_READ);  // sampling writes nothing there

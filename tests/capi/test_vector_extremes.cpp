@@ -1,5 +1,5 @@
-// Vector curves of extreme numbers: results are right or, where they overflow, NOT_FINITE; floating-point flags and errno
-// stay as they were.
+// Vector curves of extreme numbers: results are right or, where they overflow, NOT_FINITE; floating-point flags and
+// errno stay as they were.
 #include <cfloat>
 #include <cmath>
 
@@ -26,12 +26,13 @@ VectorKeys<double> stretched(const VectorVariant& variant, double size, double s
   return keys;
 }
 
-TEST_CASE("C API: sizes and durations that are powers of two scale a vector curve exactly", "[capi][vector][extremes]") {
+TEST_CASE("C API: sizes and durations that are powers of two scale a vector curve exactly",
+          "[capi][vector][extremes]") {
   const struct {
     double size, slowness;
-  } cases[] = {{0x1p900, 1},        {0x1p-900, 1},       {0x1p1019, 0x1p10},  {0x1p-1000, 0x1p-20},
-               {0x1p1019, 0x1p400}, {0x1p900, 0x1p600},  {0x1p-10, 0x1p480}, {0x1p-900, 0x1p-450},
-               {1, 0x1p-500},       {1, 0x1p400},        {0x1p290, 0x1p-300}, {0x1p305, 0x1p-200},
+  } cases[] = {{0x1p900, 1},        {0x1p-900, 1},       {0x1p1019, 0x1p10},   {0x1p-1000, 0x1p-20},
+               {0x1p1019, 0x1p400}, {0x1p900, 0x1p600},  {0x1p-10, 0x1p480},   {0x1p-900, 0x1p-450},
+               {1, 0x1p-500},       {1, 0x1p400},        {0x1p290, 0x1p-300},  {0x1p305, 0x1p-200},
                {0x1p-310, 0x1p340}, {0x1p1019, 0x1p900}, {0x1p-1000, 0x1p-500}};
   for (const VectorVariant& variant : vector_variants()) {
     const Options options = vector_options(variant);
@@ -76,8 +77,7 @@ TEST_CASE("C API: small keys do not make a given derivative too fast", "[capi][v
   for (const double tiny : {0.0, 1e-100, 1e-310}) {
     CAPTURE(tiny);
     const Options hermite = vector_options(QTRAJ_VECTOR_HERMITE);
-    VectorCurve curve =
-        must_build_vector(hermite.get(), VectorKeys<double>{{0, 1}, {tiny, -tiny}, {1, 1}, {}, 1});
+    VectorCurve curve = must_build_vector(hermite.get(), VectorKeys<double>{{0, 1}, {tiny, -tiny}, {1, 1}, {}, 1});
     VectorMotion<double> at = must_sample_vectors<double>(curve.get(), {0, 0.25, 1});
     CHECK((at.value[0] == tiny && at.value[2] == -tiny));
     CHECK(at.value[1] == Approx(0.25 * 0.75 * 0.5));
@@ -165,7 +165,8 @@ TEST_CASE("C API: vectors of any size leave errno and the floating-point environ
           const bool nan = std::isnan(single.value[3 * i]);
           for (size_t k = 3 * i; k < 3 * i + 3; ++k)
             CHECK((std::isnan(single.value[k]) == nan && std::isnan(single.first[k]) == nan &&
-                   std::isnan(single.second[k]) == nan && !std::isinf(single.value[k]) && !std::isinf(single.first[k])));
+                   std::isnan(single.second[k]) == nan && !std::isinf(single.value[k]) &&
+                   !std::isinf(single.first[k])));
         }
       }
   // signalling NaN among times and keys

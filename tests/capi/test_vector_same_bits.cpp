@@ -1,5 +1,5 @@
-// One time, one result, of vector curves and poses: whatever the function, the order, the split, the cursor, the place in
-// memory. Of vector curves the bits are those of every kernel, fused or not: their hash is pinned here.
+// One time, one result, of vector curves and poses: whatever the function, the order, the split, the cursor, the place
+// in memory. Of vector curves the bits are those of every kernel, fused or not: their hash is pinned here.
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -136,8 +136,8 @@ TEST_CASE("C API: vector_sample_uniform gives the bits of vector_sample at start
     double start, step;
     size_t count;
   };
-  const Grid grids[] = {{-2.0, 0.1, 400}, {-2.0, 1.0 / 3.0, 100}, {35.0, -0.07, 700}, {1.0, 0.0, 50},
-                        {-7.0, 1e-3, 1001}, {1e6, -7.7, 300},     {0.3, 1e-17, 100},  {-1.0, 0.5, 1}};
+  const Grid grids[] = {{-2.0, 0.1, 400},   {-2.0, 1.0 / 3.0, 100}, {35.0, -0.07, 700}, {1.0, 0.0, 50},
+                        {-7.0, 1e-3, 1001}, {1e6, -7.7, 300},       {0.3, 1e-17, 100},  {-1.0, 0.5, 1}};
   for_every_curve([&](const qtraj_vector_curve* curve, const std::vector<double>&, const auto& expected) {
     using Motion = std::decay_t<decltype(expected)>;
     using Real = typename decltype(expected.value)::value_type;

@@ -138,8 +138,8 @@ void compare(const ReferenceCurve& reference, Errors& worst) {
       const double unit = DBL_EPSILON * (static_cast<double>(expected[3]) + spline / 4 * largest);
       const size_t at = i * dim + c;
       test::raise_to(worst.value, std::abs(motion.value[at] - expected[0]) / (4 * unit));
-      test::raise_to(worst.single, std::abs(single.value[at] - expected[0]) /
-                                       (0.5 * FLT_EPSILON * std::abs(expected[0]) + 4 * unit));
+      test::raise_to(worst.single,
+                     std::abs(single.value[at] - expected[0]) / (0.5 * FLT_EPSILON * std::abs(expected[0]) + 4 * unit));
       test::raise_to(worst.first, std::abs(motion.first[at] - expected[1]) * h / unit);
       test::raise_to(worst.second, std::abs(motion.second[at] - expected[2]) * h * h / unit);
     }

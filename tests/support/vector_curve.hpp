@@ -132,8 +132,7 @@ VectorKeys<Real> vector_tour(const VectorVariant& variant, size_t count, size_t 
   std::copy_n(keys.values.begin(), dim, keys.values.end() - static_cast<ptrdiff_t>(dim));
   while (variant.needs_first() && keys.first.size() < variant.first_rows(count) * dim)
     keys.first.push_back(Real(random.uniform(-3, 3)));
-  while (variant.needs_second() && keys.second.size() < count * dim)
-    keys.second.push_back(Real(random.uniform(-9, 9)));
+  while (variant.needs_second() && keys.second.size() < count * dim) keys.second.push_back(Real(random.uniform(-9, 9)));
   return keys;
 }
 
