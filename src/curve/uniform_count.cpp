@@ -1,6 +1,7 @@
 #include "curve/uniform_count.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 #include "curve/sample_call.hpp"
 
