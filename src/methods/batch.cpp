@@ -1,6 +1,7 @@
 #include "methods/batch.hpp"
 
 #include "functions/even_times.hpp"
+#include "math/arithmetic.hpp"
 #include "targets/sampling.hpp"
 
 namespace qtraj {
@@ -50,7 +51,9 @@ Status sample_evenly(const Trajectory& curve, const Batch& batch, const RowRange
   return first;
 }
 
-Status build_series(const Batch& batch, const RowRange& keys, const BatchMemory& memory, Trajectory** curve) {
+// Out of line: what it has on the stack is gone when the curve is sampled, which takes most of the 8 kB there are.
+QTRAJ_NOINLINE Status build_series(const Batch& batch, const RowRange& keys, const BatchMemory& memory,
+                                   Trajectory** curve) {
   if (keys.count < 2) return Status::too_few;
   return build_trajectory(*batch.options, part_of(batch.input, keys), batch.frame, memory.handle, memory.workspace,
                           curve)
