@@ -26,6 +26,15 @@ Request request(const double* times, const Real* q_wb, int32_t frame, const Real
       bad_index};
 }
 
+template <class Real>
+Request request_with_tangents(const double* times, const Real* q_wb, const Real* in_tangents, const Real* out_tangents,
+                              size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  Request with_tangents = request<Real>(times, q_wb, 0, nullptr, nullptr, nullptr, count, out, bad_index);
+  with_tangents.input.in_tangents = qtraj::input<4>(in_tangents, count);
+  with_tangents.input.out_tangents = qtraj::input<4>(out_tangents ? out_tangents : in_tangents, count);
+  return with_tangents;
+}
+
 // NULL, HANDLE, TOO_FEW and SIZE; *out and *bad_index get their values for an error.
 Status begin(const Request& request, Status handle = Status::ok) {
   if (request.bad_index) *request.bad_index = kNoIndex;
@@ -91,11 +100,22 @@ qtraj_status create_with_given_turns(const qtraj_options* options, const Request
   return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
 }
 
+// Whether tangents that must be there are NULL.
+bool tangents_missing(const Request& request) { return request.input.count > 0 && !request.input.in_tangents.data; }
+
+qtraj_status create_with_given_tangents(const qtraj_options* options, const Request& request) {
+  const Status status = begin(request, tangents_missing(request) ? Status::null : capi::check_handle(options));
+  return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
+}
+
 bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, const Request& request) {
   const KeyframeInput& input = request.input;
-  const size_t row_of_3 = 3 * input.count * request.element_bytes();
+  const size_t row_of_3 = 3 * input.count * request.element_bytes(),
+               row_of_4 = 4 * input.count * request.element_bytes();
   return capi::overlap(memory, {input.times, input.count * sizeof(double)}) ||
-         capi::overlap(memory, {input.q_wb.data, 4 * input.count * request.element_bytes()}) ||
+         capi::overlap(memory, {input.q_wb.data, row_of_4}) ||
+         capi::overlap(memory, {input.in_tangents.data, row_of_4}) ||
+         capi::overlap(memory, {input.out_tangents.data, row_of_4}) ||
          capi::overlap(memory, {input.omega.data, row_of_3}) || capi::overlap(memory, {input.alpha.data, row_of_3}) ||
          capi::overlap(memory, {input.turns, (options->core.key_count(input.count) - 1) * sizeof(int32_t)}) ||
          capi::overlap(memory, {options, sizeof *options});
@@ -117,6 +137,12 @@ qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* opti
   const Outcome outcome =
       build_trajectory(options->core, request.input, frame, memory, static_cast<char*>(memory) + size.handle, &built);
   return finish(request, outcome, built);
+}
+
+qtraj_status init_with_given_tangents(void* memory, size_t bytes, const qtraj_options* options,
+                                      const Request& request) {
+  // NULL comes first: without memory init_in_place says so
+  return init_in_place(tangents_missing(request) ? nullptr : memory, bytes, options, request);
 }
 
 }  // namespace
@@ -189,6 +215,34 @@ qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* opt
                             const double* times, const float* q_wb, const float* omega, const float* alpha,
                             const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index) {
   return init_in_place(memory, bytes, options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_tangents(const qtraj_options* options, const double* times, const double* q_wb,
+                                        const double* in_tangents, const double* out_tangents, size_t count,
+                                        qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_given_tangents(
+      options, request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+}
+
+qtraj_status qtraj_create_with_tangents_f32(const qtraj_options* options, const double* times, const float* q_wb,
+                                            const float* in_tangents, const float* out_tangents, size_t count,
+                                            qtraj_trajectory** out, size_t* bad_index) {
+  return create_with_given_tangents(
+      options, request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+}
+
+qtraj_status qtraj_init_with_tangents(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                      const double* q_wb, const double* in_tangents, const double* out_tangents,
+                                      size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return init_with_given_tangents(memory, bytes, options,
+                                  request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+}
+
+qtraj_status qtraj_init_with_tangents_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                          const float* q_wb, const float* in_tangents, const float* out_tangents,
+                                          size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return init_with_given_tangents(memory, bytes, options,
+                                  request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
 }
 
 void qtraj_destroy(qtraj_trajectory* trajectory) {

@@ -125,10 +125,11 @@ QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   QTRAJ_E_VALUE = 6,
   /** A setting that the method does not have, such as tangents of a SLERP: leave it out, or choose another method. */
   QTRAJ_E_SETTING = 7,
-  /** Rates, or turns, that the method or a setting needs are missing: pass them to qtraj_create_with_rates(),
-   * qtraj_create_with_turns() or qtraj_init(), those of GIVEN ends to qtraj_options_set_end_rates(). */
+  /** Rates, turns or tangents that the method or a setting needs are missing: pass them to qtraj_create_with_rates(),
+   * qtraj_create_with_turns(), qtraj_create_with_tangents() or qtraj_init(), those of GIVEN ends to
+   * qtraj_options_set_end_rates(). */
   QTRAJ_E_INPUT_MISSING = 8,
-  /** Rates, or turns, that neither the method nor a setting uses: pass NULL, or choose a method that takes them. */
+  /** Rates, turns or tangents that neither the method nor a setting uses: pass NULL, or choose a method with them. */
   QTRAJ_E_INPUT_UNWANTED = 9,
   /** Memory of the caller too small, or not aligned to 8 bytes: QTRAJ_OPTIONS_BYTES and qtraj_init_size() tell how much
    * is needed. */
@@ -205,7 +206,10 @@ enum qtraj_method_value {
   /** C2: the same in R^4, normalised; for steps well below half a turn, see qtraj_curve_least_norm(). */
   QTRAJ_QUATERNION_QUINTIC = 8,
   /** Not continuous: each key is held until the next one; what files prescribe for what jumps. Rates are 0. */
-  QTRAJ_STEP = 9
+  QTRAJ_STEP = 9,
+  /** C0, and as smooth as its tangents: cubic in R^4 from in- and out-tangents at the keys, normalised; the CUBICSPLINE
+   * of glTF. */
+  QTRAJ_QUATERNION_HERMITE = 10
 };
 /** Methods of vector curves, such as positions: how each component goes from key to key. */
 enum qtraj_vector_method_value {
@@ -264,9 +268,9 @@ enum qtraj_extrapolate_value {
 };
 /** How far a step from key to key turns: its branch, of the many rotations that lead from one key to the next. */
 enum qtraj_turns_value {
-  QTRAJ_TURNS_DEFAULT = 0,      /**< HERMITE, ROTATION_QUINTIC: FROM_RATES; all others: SHORTEST */
-  QTRAJ_TURNS_SHORTEST = 701,   /**< the shorter turn, at most half a turn */
-  QTRAJ_TURNS_AS_GIVEN = 702,   /**< the arc that the signs of the keys say, up to a whole turn */
+  QTRAJ_TURNS_DEFAULT = 0,    /**< HERMITE, ROTATION_QUINTIC: FROM_RATES; QUATERNION_HERMITE: AS_GIVEN; else SHORTEST */
+  QTRAJ_TURNS_SHORTEST = 701, /**< the shorter turn, at most half a turn */
+  QTRAJ_TURNS_AS_GIVEN = 702, /**< the arc that the signs of the keys say, up to a whole turn */
   QTRAJ_TURNS_FROM_RATES = 703, /**< nearest to what the rates at both ends say: HERMITE, ROTATION_QUINTIC */
   QTRAJ_TURNS_GIVEN = 704       /**< whole turns beside the shorter one, a number a step: qtraj_create_with_turns() */
 };
@@ -409,6 +413,8 @@ QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32
 
 /** Sets the tangent rule of SQUAD: the rate of the curve at its keys.
  *
+ * The tangents of a QUATERNION_HERMITE are no setting: qtraj_create_with_tangents() takes them.
+ *
  * @param options  changed
  * @param rule     a qtraj_tangent_value; QTRAJ_TANGENT_GIVEN makes the constructors want omega
  * @return QTRAJ_OK, or without effect QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (an unknown rule),
@@ -441,13 +447,13 @@ QTRAJ_API qtraj_status qtraj_options_set_extrapolation(qtraj_options* options, i
  * Keys do not tell how often a body has turned between them: of the turns theta + 2 pi k about one axis that lead from
  * one to the next, theta being the shorter one, the rule chooses k. SHORTEST: 0, the only rule of NLERP, SQUAD,
  * LOG_SPLINE and QUATERNION_QUINTIC. AS_GIVEN: 0, or -1, the other way round, where the dot product of the keys is
- * negative; a step that a period adds is the shorter turn. FROM_RATES: the nearest to h times the mean of the two
- * rates (and h^2/12 times the difference of the accelerations), along the axis of the step. GIVEN: the numbers that
- * qtraj_create_with_turns() or qtraj_init() gets. A step that makes whole turns and ends where it began, to 16 eps of
- * the keys' type, has its axis from the rates, and ends within that of its key; without rates it is QTRAJ_E_AMBIGUOUS
- * with the index of its last key. So is, by FROM_RATES, a step that ends within 1e-6 rad of where it began while its
- * rates make more than half a turn about another axis than its own. Samples are continuous: a key that is reached by an
- * odd number of turns has its sign changed.
+ * negative; a step that a period adds is the shorter turn; the default of QUATERNION_HERMITE, which has these two.
+ * FROM_RATES: the nearest to h times the mean of the two rates (and h^2/12 times the difference of the accelerations),
+ * along the axis of the step. GIVEN: the numbers that qtraj_create_with_turns() or qtraj_init() gets. A step that makes
+ * whole turns and ends where it began, to 16 eps of the keys' type, has its axis from the rates, and ends within that
+ * of its key; without rates it is QTRAJ_E_AMBIGUOUS with the index of its last key. So is, by FROM_RATES, a step that
+ * ends within 1e-6 rad of where it began while its rates make more than half a turn about another axis than its own.
+ * Samples are continuous: a key that is reached by an odd number of turns has its sign changed.
  *
  * @param options  changed
  * @param rule     a qtraj_turns_value
@@ -457,7 +463,7 @@ QTRAJ_API qtraj_status qtraj_options_set_turns(qtraj_options* options, int32_t r
 
 /** Closes a curve whose keys do not: the first key is repeated one period after it; every method has it.
  *
- * The trajectory has one key more than was passed; that one's rates are those of the first. Under PERIODIC
+ * The trajectory has one key more than was passed; that one's rates and tangents are those of the first. Under PERIODIC
  * extrapolation the curve repeats after exactly this period. With the first key written again at the end, leave the
  * period unset.
  *
@@ -499,7 +505,7 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
 
 /** Builds a trajectory through keys, with the default settings of a method.
  *
- * @param method     a qtraj_method_value, SLERP to ROTATION_SPLINE; those after it need rates
+ * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -507,7 +513,7 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
- *     that needs rates), QTRAJ_E_NO_MEMORY;
+ *     that needs rates or tangents), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -518,7 +524,7 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  *
  * The keys are read as float, the times as double, and the curve is built in double.
  *
- * @param method     a qtraj_method_value, SLERP to ROTATION_SPLINE; those after it need rates
+ * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -526,7 +532,7 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  * @param bad_index  receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
  * @return QTRAJ_OK, or without a trajectory
  *   - QTRAJ_E_NULL, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_VALUE (an unknown method), QTRAJ_E_INPUT_MISSING (a method
- *     that needs rates), QTRAJ_E_NO_MEMORY;
+ *     that needs rates or tangents), QTRAJ_E_NO_MEMORY;
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the key at bad_index; NOT_FINITE
  *     also where absurdly uneven knots throw a LOG_SPLINE out of range;
  *   - QTRAJ_E_NO_CONVERGENCE: ROTATION_SPLINE found no curve, which takes extreme keys */
@@ -535,7 +541,7 @@ QTRAJ_API qtraj_status qtraj_create_f32(int32_t method, const double* times, con
 
 /** Builds a trajectory through keys, with settings of the caller's.
  *
- * @param options    method and settings, read during the call; none that need rates at all keys
+ * @param options    method and settings, read during the call; none that need rates or tangents at all keys
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -559,7 +565,7 @@ QTRAJ_API qtraj_status qtraj_create_with_options(const qtraj_options* options, c
  * The keys are read as float, the times as double, and the curve is built in double. A mean of keys (REFERENCE_MEAN)
  * ties by the rounding of float.
  *
- * @param options    method and settings, read during the call; none that need rates at all keys
+ * @param options    method and settings, read during the call; none that need rates or tangents at all keys
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -685,7 +691,61 @@ QTRAJ_API qtraj_status qtraj_create_with_turns_f32(const qtraj_options* options,
                                                    const int32_t* turns, size_t count, qtraj_trajectory** out,
                                                    size_t* bad_index);
 
-/** Bytes that qtraj_init() and qtraj_init_f32() need, working space included.
+/** Builds a trajectory through keys with given tangents: QTRAJ_QUATERNION_HERMITE.
+ *
+ * Between two keys the cubic in R^4 from the out-tangent of the first and the in-tangent of the second, normalised: the
+ * CUBICSPLINE of glTF 2.0, appendix C. It goes through the keys as they are written, with their norms; keys of extreme
+ * size (the largest component of all below 2^-100 or above 2^100) are multiplied by a power of two, all by the same.
+ * By default keys also keep their signs (QTRAJ_TURNS_AS_GIVEN); by QTRAJ_TURNS_SHORTEST a key that gets the other sign
+ * gets other tangents of both sides, too. A key that a period adds has the tangents of the first; the last key of a
+ * curve that repeats has the direction of the first, its own norm and its own tangent.
+ *
+ * @param options       method and settings, read during the call
+ * @param times         [count], s, strictly increasing: the knots
+ * @param q_wb          [count][4], w x y z, body to world, the keys; any norm but 0
+ * @param in_tangents   [count][4], w x y z, dq/dt before each key, 1/s, all finite; the first serves a period only
+ * @param out_tangents  [count][4], the same after each key; the last serves a period only; NULL: in_tangents are both
+ * @param count         number of keys, 2 or more
+ * @param out           receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index     receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (rates that another method
+ *     needs), QTRAJ_E_INPUT_UNWANTED (another method), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_NOT_FINITE (a key or any of its tangents), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the
+ *     key at bad_index; ZERO_NORM also where a key is below 2^-100 of the largest;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_RATE_TOO_FAST: a tangent of the key at bad_index, times the interval on its side, is more than 2^200
+ *     times the key, or more than 2^1023 */
+QTRAJ_API qtraj_status qtraj_create_with_tangents(const qtraj_options* options, const double* times, const double* q_wb,
+                                                  const double* in_tangents, const double* out_tangents, size_t count,
+                                                  qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys with given tangents, of float: twin of qtraj_create_with_tangents().
+ *
+ * Keys and tangents are read as float, the times as double, and the curve is built in double.
+ *
+ * @param options       method and settings, read during the call
+ * @param times         [count], s, strictly increasing: the knots
+ * @param q_wb          [count][4], w x y z, body to world, the keys; any norm but 0
+ * @param in_tangents   [count][4], w x y z, dq/dt before each key, 1/s, all finite; the first serves a period only
+ * @param out_tangents  [count][4], the same after each key; the last serves a period only; NULL: in_tangents are both
+ * @param count         number of keys, 2 or more
+ * @param out           receives the trajectory, owned: free it with qtraj_destroy(); NULL on every error
+ * @param bad_index     receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (rates that another method
+ *     needs), QTRAJ_E_INPUT_UNWANTED (another method), QTRAJ_E_NO_MEMORY;
+ *   - QTRAJ_E_NOT_FINITE (a key or any of its tangents), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the
+ *     key at bad_index; ZERO_NORM also where a key is below 2^-100 of the largest;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_RATE_TOO_FAST: a tangent of the key at bad_index, times the interval on its side, is more than 2^200
+ *     times the key, or more than 2^1023 */
+QTRAJ_API qtraj_status qtraj_create_with_tangents_f32(const qtraj_options* options, const double* times,
+                                                      const float* q_wb, const float* in_tangents,
+                                                      const float* out_tangents, size_t count, qtraj_trajectory** out,
+                                                      size_t* bad_index);
+
+/** Bytes that qtraj_init(), qtraj_init_with_tangents() and their twins need, working space included.
  *
  * @param options  method and settings, read during the call
  * @param count    number of keys, 2 or more
@@ -750,6 +810,62 @@ QTRAJ_API qtraj_status qtraj_init(void* memory, size_t bytes, const qtraj_option
 QTRAJ_API qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* options, int32_t frame,
                                       const double* times, const float* q_wb, const float* omega, const float* alpha,
                                       const int32_t* turns, size_t count, qtraj_trajectory** out, size_t* bad_index);
+
+/** Builds a trajectory through keys with given tangents in the caller's memory; nothing is allocated.
+ *
+ * The curve is that of qtraj_create_with_tangents().
+ *
+ * @param memory        [bytes], aligned to 8 bytes, overlapping no input; must outlive the trajectory and stay in place
+ * @param bytes         qtraj_init_size() of the same options and count, or more
+ * @param options       method and settings, read during the call
+ * @param times         [count], s, strictly increasing: the knots
+ * @param q_wb          [count][4], w x y z, body to world, the keys; any norm but 0
+ * @param in_tangents   [count][4], w x y z, dq/dt before each key, 1/s, all finite; the first serves a period only
+ * @param out_tangents  [count][4], the same after each key; the last serves a period only; NULL: in_tangents are both
+ * @param count         number of keys, 2 or more
+ * @param out           receives the trajectory, which needs no qtraj_destroy(); NULL on every error
+ * @param bad_index     receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (rates that another method
+ *     needs), QTRAJ_E_INPUT_UNWANTED (another method), QTRAJ_E_BUFFER (memory too small or not aligned),
+ *     QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_NOT_FINITE (a key or any of its tangents), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the
+ *     key at bad_index; ZERO_NORM also where a key is below 2^-100 of the largest;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_RATE_TOO_FAST: a tangent of the key at bad_index, times the interval on its side, is more than 2^200
+ *     times the key, or more than 2^1023 */
+QTRAJ_API qtraj_status qtraj_init_with_tangents(void* memory, size_t bytes, const qtraj_options* options,
+                                                const double* times, const double* q_wb, const double* in_tangents,
+                                                const double* out_tangents, size_t count, qtraj_trajectory** out,
+                                                size_t* bad_index);
+
+/** Builds a trajectory with given tangents, of float, in the caller's memory: twin of qtraj_init_with_tangents().
+ *
+ * Keys and tangents are read as float, the times as double, and the curve is built in double. Nothing is allocated.
+ *
+ * @param memory        [bytes], aligned to 8 bytes, overlapping no input; must outlive the trajectory and stay in place
+ * @param bytes         qtraj_init_size() of the same options and count, or more
+ * @param options       method and settings, read during the call
+ * @param times         [count], s, strictly increasing: the knots
+ * @param q_wb          [count][4], w x y z, body to world, the keys; any norm but 0
+ * @param in_tangents   [count][4], w x y z, dq/dt before each key, 1/s, all finite; the first serves a period only
+ * @param out_tangents  [count][4], the same after each key; the last serves a period only; NULL: in_tangents are both
+ * @param count         number of keys, 2 or more
+ * @param out           receives the trajectory, which needs no qtraj_destroy(); NULL on every error
+ * @param bad_index     receives the index of the first key at fault, SIZE_MAX where it is not one key; may be NULL
+ * @return QTRAJ_OK, or without a trajectory
+ *   - QTRAJ_E_NULL, QTRAJ_E_HANDLE, QTRAJ_E_TOO_FEW, QTRAJ_E_SIZE, QTRAJ_E_INPUT_MISSING (rates that another method
+ *     needs), QTRAJ_E_INPUT_UNWANTED (another method), QTRAJ_E_BUFFER (memory too small or not aligned),
+ *     QTRAJ_E_OVERLAP: memory is untouched;
+ *   - QTRAJ_E_NOT_FINITE (a key or any of its tangents), QTRAJ_E_ZERO_NORM, QTRAJ_E_TIME_ORDER, QTRAJ_E_TIME_SPAN: the
+ *     key at bad_index; ZERO_NORM also where a key is below 2^-100 of the largest;
+ *   - QTRAJ_E_NOT_CLOSED: PERIODIC extrapolation, and the last key, at bad_index, does not return to the first;
+ *   - QTRAJ_E_RATE_TOO_FAST: a tangent of the key at bad_index, times the interval on its side, is more than 2^200
+ *     times the key, or more than 2^1023 */
+QTRAJ_API qtraj_status qtraj_init_with_tangents_f32(void* memory, size_t bytes, const qtraj_options* options,
+                                                    const double* times, const float* q_wb, const float* in_tangents,
+                                                    const float* out_tangents, size_t count, qtraj_trajectory** out,
+                                                    size_t* bad_index);
 
 /** Ends the life of a trajectory, and frees one on the heap. Used after it, it is QTRAJ_E_HANDLE.
  *
@@ -895,14 +1011,15 @@ QTRAJ_API qtraj_status qtraj_sample_many_f32(const qtraj_trajectory* const* traj
                                              const double* times, size_t count, int32_t layout, float* q_out,
                                              float* omega_out, float* alpha_out, size_t* bad_index);
 
-/** Samples the curve in R^4 that NLERP and QUATERNION_QUINTIC normalise, and its first and second derivatives.
+/** Samples the curve in R^4 that is normalised, of NLERP, QUATERNION_QUINTIC and QUATERNION_HERMITE, and its
+ * derivatives.
  *
- * p / |p| is the orientation; p is the key at every knot. A derivative that jumps at a knot has its right-hand value
- * there, at the last knot its left-hand one. Outside the knots p is the unit quaternion of qtraj_sample() by the
- * curve's extrapolation, and the derivatives are those of it: 0 under HOLD, of the great circle under CONSTANT_RATE, of
- * the wrapped time under PERIODIC.
+ * p / |p| is the orientation; p is the key at every knot, of QUATERNION_HERMITE with its norm. A derivative that jumps
+ * at a knot has its right-hand value there, at the last knot its left-hand one. Outside the knots p is the unit
+ * quaternion of qtraj_sample() by the curve's extrapolation, and the derivatives are those of it: 0 under HOLD, of the
+ * great circle under CONSTANT_RATE, of the wrapped time under PERIODIC.
  *
- * @param trajectory  an NLERP or QUATERNION_QUINTIC; not NULL, also where count is 0
+ * @param trajectory  an NLERP, QUATERNION_QUINTIC or QUATERNION_HERMITE; not NULL, also where count is 0
  * @param times       [count], s, in any order; outside the knots the curve's extrapolation decides
  * @param count       number of samples; where it is 0 arrays may be NULL
  * @param p_out       [count][4], w x y z, not normalised; may be NULL, but not all three outputs
@@ -1131,9 +1248,10 @@ QTRAJ_API double qtraj_residual(const qtraj_trajectory* trajectory);
  *   written */
 QTRAJ_API qtraj_status qtraj_keys(const qtraj_trajectory* trajectory, double* times_out, double* q_out);
 
-/** Smallest norm of an NLERP or QUATERNION_QUINTIC before it is normalised, computed by the call.
+/** Smallest norm of an NLERP, QUATERNION_QUINTIC or QUATERNION_HERMITE before it is normalised, computed by the call.
  *
- * Where it is small the curve is fast and strongly curved, and rates lose digits.
+ * Where it is small, beside 1 or beside the norms of the keys of a QUATERNION_HERMITE, the curve is fast and strongly
+ * curved, and rates lose digits.
  *
  * @param trajectory  the curve
  * @param norm        receives the norm; 1 for all other methods

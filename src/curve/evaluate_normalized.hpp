@@ -1,4 +1,4 @@
-// The evaluator of normalised polynomials in R^4 (NLERP, QUATERNION_QUINTIC): q = p(x)/|p(x)|.
+// The evaluator of normalised polynomials in R^4 (NLERP, QUATERNION_QUINTIC, QUATERNION_HERMITE): q = p(x)/|p(x)|.
 #pragma once
 
 #include "curve/evaluator.hpp"

@@ -15,7 +15,7 @@ enum class SegmentKind {
   rotation_vector_quintic,  // ROTATION_QUINTIC
   nested_arcs,              // SQUAD
   normalized,               // NLERP
-  normalized_quintic,       // QUATERNION_QUINTIC
+  normalized_quintic,       // QUATERNION_QUINTIC; QUATERNION_HERMITE: a cubic, c[4] = c[5] = 0
 };
 
 // Great circle q = m cos x + e sin x, x = (t - t_i) rate - half_angle. m is the middle of the arc and e the direction

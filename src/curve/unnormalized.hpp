@@ -1,4 +1,4 @@
-// The polynomial in R^4 that NLERP and QUATERNION_QUINTIC normalise, and its derivatives.
+// The polynomial in R^4 that NLERP, QUATERNION_QUINTIC and QUATERNION_HERMITE normalise, and its derivatives.
 #pragma once
 
 #include "base/status.hpp"
@@ -8,6 +8,11 @@ namespace qtraj {
 
 // Whether the segments of a trajectory are polynomials in R^4.
 bool is_unnormalized(const Trajectory& trajectory);
+
+// Whether they go through unit keys, as all do but those of QUATERNION_HERMITE, whose keys are as they were given.
+inline bool has_unit_keys(const Trajectory& trajectory) {
+  return trajectory.method != Method{QTRAJ_QUATERNION_HERMITE};
+}
 
 // Rows to write, [count][4] each: p, p' in 1/s, p'' in 1/s^2; each may be null.
 struct UnnormalizedOutputs {

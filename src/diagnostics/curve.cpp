@@ -3,6 +3,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "curve/unnormalized.hpp"
 #include "diagnostics/golden_section.hpp"
 #include "math/so3.hpp"
 #include "targets/sampling.hpp"
@@ -62,10 +63,10 @@ Outcome curve_jumps(const Trajectory& trajectory, Frame frame, double* omega_jum
 
 namespace {
 
-// |P| at s. At the ends P is a key, of norm 1, which large coefficients that cancel would miss.
+// |P| at s. Where P goes through unit keys its norm at the ends is 1, which large coefficients that cancel would miss.
 template <size_t Degree>
-double norm_at(const NormalizedSegment<Degree>& segment, double s) {
-  if (s <= -1.0 || s >= 1.0) return 1.0;
+double norm_at(const NormalizedSegment<Degree>& segment, double s, bool unit_keys) {
+  if (unit_keys && (s <= -1.0 || s >= 1.0)) return 1.0;
   Quaternion p = load(segment.c[Degree]);
   for (size_t term = Degree; term-- > 0;) p = s * p + load(segment.c[term]);
   return length(p);
@@ -77,26 +78,29 @@ LeastNorm least_norm_of(const Trajectory& trajectory) {
   const auto* segments = segments_of<NormalizedSegment<Degree>>(trajectory);
   // |p|^2 has at most `Degree` minima in a segment; samples this close tell them apart
   constexpr int kIntervals = 32;
-  LeastNorm least = {1.0, knots[0]};
+  const bool unit_keys = has_unit_keys(trajectory);
+  LeastNorm least = {norm_at(segments[0], -1.0, unit_keys), knots[0]};
   for (size_t i = 0; i + 1 < trajectory.timeline.key_count; ++i) {
     const auto position = [](int k) { return -1.0 + 2.0 * k / kIntervals; };
+    const auto norm = [&](double s) { return norm_at(segments[i], s, unit_keys); };
     const auto negated = [&](double s, double& value) {
-      value = -norm_at(segments[i], s);
+      value = -norm(s);
       return true;
     };
+    const double rounding = 4.0 * DBL_EPSILON * std::max(norm(-1.0), norm(1.0));
     double best = -least.norm, best_s = -2.0;
     for (int k = 0; k <= kIntervals; ++k) {
-      const double value = -norm_at(segments[i], position(k));
+      const double value = -norm(position(k));
       if (value > best) {
         best = value;
         best_s = position(k);
       }
       const Interval around = {position(std::max(k - 1, 0)), position(std::min(k + 1, kIntervals))};
-      if (value >= -norm_at(segments[i], around.from) && value >= -norm_at(segments[i], around.to)) {
+      if (value >= -norm(around.from) && value >= -norm(around.to)) {
         double refined = best, refined_s = best_s;
         narrow_maximum(around, negated, refined, refined_s);
         // a minimum beside a sample that is lower by rounding errors only does not count
-        if (refined > best + 4.0 * DBL_EPSILON) {
+        if (refined > best + rounding) {
           best = refined;
           best_s = refined_s;
         }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "curve/unnormalized.hpp"
 #include "diagnostics/analytic.hpp"
 #include "diagnostics/budget.hpp"
 #include "diagnostics/common_unit.hpp"
@@ -29,7 +30,7 @@ class Integration {
       enter(i);
       if (size_of_rates(trajectory_, i) >= kNoBound || !over(kWhole, integral)) return {Status::no_convergence, i};
       total += integral;
-      if (!is_angle() && !raise_noise()) return {Status::no_convergence, i};
+      if (!raise_noise()) return {Status::no_convergence, i};
     }
     share_ = total / static_cast<double>(segments());
     for (size_t i = 0; i < segments(); ++i) {
@@ -38,7 +39,7 @@ class Integration {
       allowed_ = std::max(integral, share_);
       if (!integrate_segment()) return {Status::no_convergence, i};
     }
-    if (error_ > kTolerance * sum_ + noise_ * noise_ * 2.0 * static_cast<double>(segments()))
+    if (error_ > kTolerance * sum_ + noise_floor() * 2.0 * static_cast<double>(segments()))
       return {Status::no_convergence, kNoIndex};
     if (!unit_.in_seconds(sum_, !is_angle(), result)) return {Status::not_finite, kNoIndex};
     return {};
@@ -56,6 +57,9 @@ class Integration {
   }
 
   bool raise_noise() {
+    // where little but the norm changes, rates are rounding errors of that
+    if (!has_unit_keys(trajectory_)) noise_ = std::max(noise_, kNoise * weight_(size_of_rates(trajectory_, segment_)));
+    if (is_angle()) return true;
     for (const double s : {-1.0, 0.0, 1.0}) {
       RatesInSegment rates;
       if (!rates_in_segment(trajectory_, segment_, s, false, rates)) return false;
@@ -142,8 +146,8 @@ class Integration {
     const double omega = weight_.length_of(rates.omega), alpha = weight_.length_of(rates.alpha);
     const PieceError found = is_angle() ? error_of_lengths(piece, bounds, omega, alpha) : error_of_squares(bounds);
     const double error = piece.half_width * found.error;
-    const double floor = found.is_cusp ? std::max(kOfCusp * allowed_, kOfSegment * allowed_ * piece.half_width)
-                                       : std::max(kOfSegment * allowed_, noise_ * noise_) * piece.half_width;
+    const double of_width = std::max(kOfSegment * allowed_, noise_floor()) * piece.half_width;
+    const double floor = found.is_cusp ? std::max(kOfCusp * allowed_, of_width) : of_width;
     const double value = is_angle() ? omega : alpha * alpha;
     if (error > std::max(floor, 10.0 * kOfPiece * value * piece.half_width)) return true;
     double integral;
@@ -154,6 +158,9 @@ class Integration {
     error_ += error + rounding(piece, bounds, integral);
     return true;
   }
+
+  // What may be rounding errors of a segment's integral, per half width.
+  double noise_floor() const { return is_angle() ? noise_ : noise_ * noise_; }
 
   // What rounding errors of the samples make of an integral.
   double rounding(const Piece& piece, const PieceBounds& bounds, double integral) const {

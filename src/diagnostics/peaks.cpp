@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "curve/unnormalized.hpp"
 #include "diagnostics/analytic.hpp"
 #include "diagnostics/budget.hpp"
 #include "diagnostics/common_unit.hpp"
@@ -63,7 +64,10 @@ class PeakSearch {
   // A few samples, so that most pieces of the other segments need none.
   bool begin_segment(size_t segment) {
     enter(segment);
-    if (size_of_rates(trajectory_, segment) >= kNoBound) return false;
+    const double size_of_all = size_of_rates(trajectory_, segment);
+    if (size_of_all >= kNoBound) return false;
+    // where little but the norm changes, rates are rounding errors of that
+    if (!has_unit_keys(trajectory_)) noise_ = std::max(noise_, kNoise * weight_(size_of_all));
     for (const double s : {-1.0, 0.0, 1.0}) {
       double size;
       if (!sample(s, 1.0, size)) return false;
@@ -169,7 +173,7 @@ class PeakSearch {
 
   double best_ = 0, best_at_ = -1.0, reach_ = 1.0;
   size_t best_segment_ = 0;
-  double noise_ = 0;   // accelerations below it count as 0
+  double noise_ = 0;   // rates below it count as 0
   double excess_ = 0;  // by how much bounds within rounding exceed the best
 };
 

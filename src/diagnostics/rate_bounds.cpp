@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "curve/nested_arcs_rates.hpp"
+#include "diagnostics/polynomial_bounds.hpp"
 #include "math/quaternion.hpp"
 
 namespace qtraj {
 namespace {
 
 constexpr double kSqrt2 = 0x1.6a09e667f3bcdp+0;
-// Past this a segment turns so often, or cancels so much, that samples have no digits: no bound is needed, and the
-// squares of bounds do not overflow.
-constexpr double kLargestCoefficient = 0x1p100;
-
 RateBounds operator+(const RateBounds& a, const RateBounds& b) { return {a.omega + b.omega, a.alpha + b.alpha}; }
 
 PieceBounds no_bounds() {
@@ -30,60 +27,6 @@ double exponential_bound(double x) {
   double result = 1.0 / (1.0 - x / 64.0);
   for (int k = 0; k < 6; ++k) result *= result;
   return result;
-}
-
-// The length of a vector, or a bound of it where its squares would underflow.
-template <class Vector>
-double length_bound(const Vector& a) {
-  const double largest = largest_component(a);
-  return largest > 0x1p-400 ? length(a) : 2.0 * largest;
-}
-
-// ---- Polynomials with vector coefficients ----
-
-// The polynomial about another point: its coefficients there, in the parameter s - middle.
-template <size_t Terms, size_t Size>
-struct ShiftedPolynomial {
-  double c[Terms][Size];
-  double size[Terms];  // lengths of the coefficients
-
-  ShiftedPolynomial(const double (&from)[Terms][Size], double middle) {
-    for (size_t term = 0; term < Terms; ++term)
-      for (size_t k = 0; k < Size; ++k) c[term][k] = from[term][k];
-    for (size_t last = 0; last + 1 < Terms; ++last)
-      for (size_t term = Terms - 1; term-- > last;)
-        for (size_t k = 0; k < Size; ++k) c[term][k] += middle * c[term + 1][k];
-    for (size_t term = 0; term < Terms; ++term) size[term] = length_bound(load(c[term]));
-  }
-};
-
-// Bounds over a disc around the middle: of the distance to the value there, and of both derivatives.
-struct PolynomialBounds {
-  double change, first, second;
-};
-template <size_t Terms>
-PolynomialBounds polynomial_bounds(const double (&size)[Terms], double radius) {
-  PolynomialBounds bounds = {0, 0, 0};
-  for (size_t term = Terms; term-- > 1;) {
-    const double degree = static_cast<double>(term);
-    bounds.change = (bounds.change + size[term]) * radius;
-    bounds.first = bounds.first * radius + degree * size[term];
-    if (term > 1) bounds.second = bounds.second * radius + degree * (degree - 1.0) * size[term];
-  }
-  return bounds;
-}
-
-// The same sums for |s| <= 1, from the coefficients in s: what rounding errors are measured by.
-struct PolynomialSums {
-  double value, first, second;
-};
-template <size_t Terms, size_t Size>
-PolynomialSums polynomial_sums(const double (&c)[Terms][Size]) {
-  double size[Terms];
-  for (size_t term = 0; term < Terms; ++term) size[term] = largest_component(load(c[term]));
-  if (*std::max_element(size, size + Terms) > kLargestCoefficient) return {kNoBound, kNoBound, kNoBound};
-  const PolynomialBounds bounds = polynomial_bounds(size, 1.0);
-  return {size[0] + bounds.change, bounds.first, bounds.second};
 }
 
 // ---- The exponential ----
@@ -116,43 +59,17 @@ RateBounds exponential_bounds(const RotationVectorBounds& bounds) {
 
 // ---- Rotation-vector polynomials ----
 
-// |a x b| of two coefficients
-double cross_size(const double (&a)[3], const double (&b)[3]) {
-  double product[3];
-  cross_product<Plain>(a, b, product);
-  return length(load(product));
-}
-
-// A bound of |p x p'| = |sum (k - j) c_j x c_k s^(j + k - 1)|, j < k, over a disc: of a turn about one axis it is 0 to
-// rounding, which a product of bounds would not be.
-template <size_t Terms>
-class MomentBound {
- public:
-  explicit MomentBound(const double (&c)[Terms][3]) {
-    for (size_t j = 0; j < Terms; ++j)
-      for (size_t k = j + 1; k < Terms; ++k) size_[j + k - 1] += static_cast<double>(k - j) * cross_size(c[j], c[k]);
-  }
-  double operator()(double radius) const {
-    double sum = 0;
-    for (size_t power = 2 * Terms - 3; power-- > 0;) sum = sum * radius + size_[power];
-    return sum;
-  }
-
- private:
-  double size_[2 * Terms - 3] = {};
-};
-
 template <size_t Degree>
 PieceBounds bounds_of(const RotationVectorSegment<Degree>& segment, const Piece& piece) {
   const PolynomialSums sums = polynomial_sums(segment.c);
   if (sums.value >= kNoBound) return no_bounds();
   const ShiftedPolynomial<Degree + 1, 3> p(segment.c, piece.middle);
-  const MomentBound<Degree + 1> moment(p.c);
+  const MomentBound<Degree + 1, 3> moment(p.c);
   const auto over = [&](double radius, bool complex) {
     const PolynomialBounds of_p = polynomial_bounds(p.size, radius);
     const double least_square = p.size[0] * (p.size[0] - 2.0 * of_p.change) - of_p.change * of_p.change;
     return exponential_bounds({2.0 * (p.size[0] + of_p.change), 2.0 * of_p.first, 2.0 * of_p.second,
-                               4.0 * moment(radius), complex ? 2.0 * of_p.change : 0.0,
+                               4.0 * moment(radius).first, complex ? 2.0 * of_p.change : 0.0,
                                least_square > 0 ? 2.0 * std::sqrt(least_square) : 0.0});
   };
   PieceBounds bounds;
@@ -273,23 +190,41 @@ PieceBounds bounds_of(const NestedArcsSegment& segment, const Piece& piece) {
 
 // ---- Normalised polynomials ----
 
+// The size of the larger end: about 1 of unit keys, that of the keys where they are as given (QUATERNION_HERMITE).
+// A key far below the coefficients has no digits (has_digits in segment_rates.cpp).
+constexpr double kLargestOfEnds = 0x1p40;
+template <size_t Degree>
+double size_of_ends(const NormalizedSegment<Degree>& segment) {
+  Quaternion even = Quaternion::Zero(), odd = Quaternion::Zero();
+  for (size_t term = 0; term <= Degree; term += 2) {
+    even += load(segment.c[term]);
+    odd += load(segment.c[term + 1]);
+  }
+  return std::max(largest_component(Quaternion(even + odd)), largest_component(Quaternion(even - odd)));
+}
+
 // Of q = P/|P|, N = P.P: omega = (2/N) Im(P* P'), alpha = (2/N) Im(P* P'') - omega N'/N, |N'| <= 2 |P| |P'|. For
-// complex a and b, |Im(a* b)| <= sqrt(2) |a| |b|, and |N| >= |P_0|^2 - 2 |P_0| change - change^2.
-// The norm in the middle is known to lie between `norm` and `largest_norm`.
-RateBounds normalized_bounds(double norm, double largest_norm, const PolynomialBounds& p, bool complex) {
+// complex a and b, |Im(a* b)| <= sqrt(2) |a| |b|, and |N| >= |P_0|^2 - 2 |P_0| change - change^2. The moments, which
+// may be closer, are sums of products that are rounded. The norm in the middle is known to lie between `norm` and
+// `largest_norm`.
+RateBounds normalized_bounds(double norm, double largest_norm, const PolynomialBounds& p, const Moments& moments,
+                             bool complex) {
   const double largest = largest_norm + p.change;
   const double least = norm - p.change,
                least_square = complex ? norm * (norm - 2.0 * p.change) - p.change * p.change : least * least;
   if (least <= 0 || least_square <= 1e-24 * largest * largest) return {kNoBound, kNoBound};
   // real: |Im(P* P')|/N <= |P'|/|P|
   const double inverse = complex ? largest / least_square : 1.0 / least;
-  const double factor = 2.0 * (complex ? kSqrt2 : 1.0) * inverse, omega = factor * p.first;
-  return {omega, factor * p.second + omega * 2.0 * inverse * p.first};
+  const double factor = 2.0 * (complex ? kSqrt2 : 1.0) * inverse, of_moments = 2.0 / least_square;
+  constexpr double kRounded = 8.0 * DBL_EPSILON;
+  const double omega = std::min(factor * p.first, of_moments * (moments.first + kRounded * largest * p.first));
+  const double bend = std::min(factor * p.second, of_moments * (moments.second + kRounded * largest * p.second));
+  return {omega, bend + omega * 2.0 * inverse * p.first};
 }
 
 template <size_t Degree>
 PieceBounds bounds_of(const NormalizedSegment<Degree>& segment, const Piece& piece) {
-  const PolynomialSums sums = polynomial_sums(segment.c);
+  const PolynomialSums sums = polynomial_sums(segment.c, kLargestOfEnds * size_of_ends(segment));
   if (sums.value >= kNoBound) return no_bounds();
   const ShiftedPolynomial<Degree + 1, 4> p(segment.c, piece.middle);
   const double off = 8.0 * DBL_EPSILON * sums.value, norm = p.size[0] - off;
@@ -300,8 +235,10 @@ PieceBounds bounds_of(const NormalizedSegment<Degree>& segment, const Piece& pie
                bend = Degree > 1 ? 2.0 * p.size[2 % (Degree + 1)] / norm : 0.0;
   bounds.rounding = {unit * (first + value * speed),
                      unit * (second + value * bend + 4.0 * speed * (first + value * speed))};
+  const MomentBound<Degree + 1, 4> moments(p.c);
   const auto over = [&](double radius, bool complex) {
-    const RateBounds found = normalized_bounds(norm, p.size[0] + off, polynomial_bounds(p.size, radius), complex);
+    const RateBounds found =
+        normalized_bounds(norm, p.size[0] + off, polynomial_bounds(p.size, radius), moments(radius), complex);
     return found.omega >= kNoBound ? found : found + bounds.rounding;
   };
   bounds.real = over(piece.half_width, false);
@@ -317,7 +254,8 @@ double size_of(const RotationVectorSegment<Degree>& segment) {
 }
 template <size_t Degree>
 double size_of(const NormalizedSegment<Degree>& segment) {
-  return 2.0 * polynomial_sums(segment.c).first;
+  const double size = size_of_ends(segment), first = polynomial_sums(segment.c, kLargestOfEnds * size).first;
+  return first >= kNoBound ? kNoBound : 2.0 * first / size;
 }
 double size_of(const ArcSegment& segment) { return 2.0 * segment.half_angle; }
 double size_of(const NestedArcsSegment& segment) {

@@ -42,7 +42,7 @@ GreatCircle circle_at(Extrapolate rule, double knot, double forward, const Quate
 }
 
 // The outcome of a builder with the index of a key as the caller counts it. A key that was added to close the curve has
-// the rates of the first; all else about it is a matter of the last key before it.
+// the rates and tangents of the first; all else about it is a matter of the last key before it.
 Outcome in_input(const KeyframeInput& input, const Outcome& outcome) {
   if (outcome.index == kNoIndex || outcome.index < input.count) return outcome;
   return {outcome.status, outcome.status == Status::rate_too_fast ? 0 : input.count - 1};
@@ -66,14 +66,17 @@ bool trajectory_size(const Options& options, size_t input_count, TrajectorySize&
 Status check_settings(const Options& options, const KeyframeInput& input, Frame rate_frame) {
   const MethodRow& row = *find_method(options.method);
   const bool needs_omega = row.needs_omega || options.tangents == Tangent::given;
-  const bool has_omega = input.omega.data != nullptr, has_alpha = input.alpha.data != nullptr;
+  const bool has_omega = input.omega.data != nullptr, has_alpha = input.alpha.data != nullptr,
+             has_tangents = input.in_tangents.data != nullptr;
   if (has_omega && !is_known(rate_frame)) return Status::value;
-  if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha)) return Status::input_missing;
+  if ((needs_omega && !has_omega) || (row.needs_alpha && !has_alpha) || (row.needs_tangents && !has_tangents))
+    return Status::input_missing;
   const bool start_rate_missing = options.start.condition == End::given && !options.start.has_rate;
   const bool end_rate_missing = options.end.condition == End::given && !options.end.has_rate;
   const bool has_turns = input.turns != nullptr, needs_turns = options.turns == Turns::given;
   if (start_rate_missing || end_rate_missing || (needs_turns && !has_turns)) return Status::input_missing;
-  const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha) || (has_turns && !needs_turns);
+  const bool unwanted = (has_omega && !needs_omega) || (has_alpha && !row.needs_alpha) ||
+                        (has_tangents && !row.needs_tangents) || (has_turns && !needs_turns);
   return unwanted ? Status::input_unwanted : Status::ok;
 }
 

@@ -15,8 +15,8 @@ struct TrajectorySize {
 };
 bool trajectory_size(const Options& options, size_t count, TrajectorySize& size);
 
-// Whether the options are complete and the input has the rates they need, and no others: ok, value (the frame),
-// input_missing or input_unwanted.
+// Whether the options are complete and the input has the rates and tangents they need, and no others: ok, value (the
+// frame), input_missing or input_unwanted.
 Status check_settings(const Options& options, const KeyframeInput& input, Frame rate_frame);
 
 // Builds in 8-byte aligned memory of the sizes above. Settings have been checked; the workspace is free afterwards.

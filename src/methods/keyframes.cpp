@@ -12,9 +12,10 @@ constexpr RowKernel<UnitKeyRows> kUnitKeyKernels[] = QTRAJ_OF_EACH_TARGET(unit_k
 
 // `times` are the copies, which nobody writes to while they are looked at.
 Status check_keyframe(const KeyframeInput& input, const double* times, size_t key, bool is_ordinary) {
-  const bool finite = is_finite(times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
-                      (!input.omega.data || is_finite(input.omega, key)) &&
-                      (!input.alpha.data || is_finite(input.alpha, key));
+  const bool finite =
+      is_finite(times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
+      (!input.omega.data || is_finite(input.omega, key)) && (!input.alpha.data || is_finite(input.alpha, key)) &&
+      (!input.in_tangents.data || (is_finite(input.in_tangents, key) && is_finite(input.out_tangents, key)));
   if (!finite) return Status::not_finite;
   if (!is_ordinary && is_zero(input.q_wb, key)) return Status::zero_norm;
   return check_knot(times, key);

@@ -8,15 +8,17 @@
 
 namespace qtraj {
 
-// Keyframes as the caller passed them; omega and alpha data may be null. The pointers to data are checked.
+// Keyframes as the caller passed them; omega, alpha and tangent data may be null, the latter both or none. The pointers
+// to data are checked.
 struct KeyframeInput {
   const double* times;
   Input<4> q_wb;
   Input<3> omega, alpha;
   const int32_t* turns;  // of each step between keys, the one to a key that a period adds included; may be null
   size_t count;
+  Input<4> in_tangents = {}, out_tangents = {};  // dq/dt, 1/s, before and after each key
 
-  // The row that a key has its rates from: a key that was added to close the curve is the first once more.
+  // The row that a key has its rates and tangents from: a key that was added to close the curve is the first once more.
   size_t row_of_key(size_t key) const { return key < count ? key : 0; }
   double epsilon() const { return epsilon_of(q_wb); }
 };

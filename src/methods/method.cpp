@@ -13,6 +13,7 @@ Outcome build_rotation_spline(Construction& construction);
 Outcome build_hermite(Construction& construction);
 Outcome build_rotation_quintic(Construction& construction);
 Outcome build_quaternion_quintic(Construction& construction);
+Outcome build_quaternion_hermite(Construction& construction);
 
 namespace {
 
@@ -31,10 +32,10 @@ constexpr unsigned kRotationSplineEnds = bit(End::standard) | bit(End::chord) | 
 constexpr unsigned bit(Turns rule) {
   return 1u << (static_cast<unsigned>(rule) - static_cast<unsigned>(Turns::shortest));
 }
-constexpr unsigned kShortest = bit(Turns::shortest), kTurns = kShortest | bit(Turns::as_given) | bit(Turns::given),
-                   kTurnsOfRates = kTurns | bit(Turns::from_rates);
+constexpr unsigned kShortest = bit(Turns::shortest), kSigns = kShortest | bit(Turns::as_given),
+                   kTurns = kSigns | bit(Turns::given), kTurnsOfRates = kTurns | bit(Turns::from_rates);
 
-// Method, segments, their bytes, ends, tangents, reference, omega, alpha, turns, workspace, builder.
+// Method, segments, their bytes, ends, tangent rule, reference, omega, alpha, turns, workspace, builder, tangents.
 constexpr MethodRow kMethods[] = {
     {Method{QTRAJ_SLERP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kTurns, 0, build_slerp},
     {Method{QTRAJ_NLERP}, SegmentKind::normalized, sizeof(NormalizedSegment<1>), 0, false, false, false, false,
@@ -52,6 +53,8 @@ constexpr MethodRow kMethods[] = {
     {Method{QTRAJ_QUATERNION_QUINTIC}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
      true, true, kShortest, 0, build_quaternion_quintic},
     {Method{QTRAJ_STEP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kShortest, 0, build_step},
+    {Method{QTRAJ_QUATERNION_HERMITE}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
+     false, false, kSigns, 0, build_quaternion_hermite, true},
 };
 
 // SLERP past a half turn: arcs are half turns at most.
@@ -118,6 +121,8 @@ bool has_reference(Method method) {
 }
 
 Turns default_turns(Method method) {
+  const MethodRow* row = find_method(method);
+  if (row && row->needs_tangents) return Turns::as_given;  // tangents belong to the signs that keys are written with
   return accepts_turns(method, Turns::from_rates) ? Turns::from_rates : Turns::shortest;
 }
 

@@ -41,6 +41,7 @@ struct MethodRow {
   unsigned turns;                 // a bit for each Turns rule that set_turns takes
   size_t workspace_per_key;
   Outcome (*build)(Construction&);
+  bool needs_tangents = false;  // dq/dt at all keys
 };
 
 // Methods of vector curves.

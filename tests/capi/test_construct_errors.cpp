@@ -24,7 +24,8 @@ struct NamedDoor {
 
 template <class Real>
 Rates<Real> zero_rates() {
-  return {std::vector<Real>(3 * kCount), std::vector<Real>(3 * kCount)};
+  const std::vector<Real> vectors(3 * kCount), tangents(4 * kCount);
+  return {vectors, vectors, tangents, tangents};
 }
 
 template <class Real>
@@ -32,7 +33,7 @@ std::vector<NamedDoor<Real>> doors() {
   using Rates = capi::Rates<Real>;
   std::vector<NamedDoor<Real>> all;
   for (const int32_t method : all_methods()) {
-    if (always_needs_rates(method)) continue;
+    if (always_needs_rates(method) || needs_tangents(method)) continue;
     all.push_back({"create method " + std::to_string(method), false,
                    [method](const Keyframes<Real>& keys, const Rates&, qtraj_trajectory** out, size_t* bad_index) {
                      return create(method, keys.times.data(), keys.q.data(), keys.count(), out, bad_index);
@@ -45,6 +46,9 @@ std::vector<NamedDoor<Real>> doors() {
         {(takes_rates ? "create_with_rates " : "create_with_options ") + variant.name, takes_rates,
          [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
+           if (variant.needs_tangents())
+             return create_with_tangents(options.get(), keys.times.data(), keys.q.data(), rates.in_tangents.data(),
+                                         rates.out_tangents.data(), keys.count(), out, bad_index);
            return variant.needs_rates()
                       ? create_with_rates(options.get(), QTRAJ_FRAME_WORLD, keys.times.data(), keys.q.data(),
                                           rates.omega.data(), variant.needs_alpha() ? rates.alpha.data() : nullptr,
@@ -57,6 +61,10 @@ std::vector<NamedDoor<Real>> doors() {
          [variant](const Keyframes<Real>& keys, const Rates& rates, qtraj_trajectory** out, size_t* bad_index) {
            const Options options = make_options(variant);
            std::vector<double> memory(2048);
+           if (variant.needs_tangents())
+             return init_with_tangents(memory.data(), memory.size() * sizeof(double), options.get(), keys.times.data(),
+                                       keys.q.data(), rates.in_tangents.data(), rates.out_tangents.data(), keys.count(),
+                                       out, bad_index);
            return init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_WORLD,
                        keys.times.data(), keys.q.data(), variant.needs_rates() ? rates.omega.data() : nullptr,
                        variant.needs_alpha() ? rates.alpha.data() : nullptr, keys.count(), out, bad_index);
@@ -237,9 +245,8 @@ TEST_CASE("C API: PERIODIC needs first and last key within 1e-6 rad as orientati
           const double last[4] = {sign * std::cos(half), 0, sign * std::sin(half), 0};
           std::copy(last, last + 4, keys.q.end() - 4);
 
-          qtraj_options* options = nullptr;
-          REQUIRE(qtraj_options_create(method, &options) == QTRAJ_OK);
-          const Options owner(options);
+          const Options owner = make_options({"", method});
+          qtraj_options* const options = owner.get();
           if (extrapolation)
             REQUIRE(qtraj_options_set_extrapolation(options, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC) ==
                     QTRAJ_OK);

@@ -192,7 +192,7 @@ TEST_CASE("C API: a closed curve has its seam's jump at both ends, an open one 0
 
 TEST_CASE("C API: jumps are rounding where the method is smooth, at the seam of PERIODIC too", "[capi][diagnostics]") {
   for (const Variant& variant : variants()) {
-    if (variant.method == QTRAJ_SLERP || variant.method == QTRAJ_NLERP) continue;
+    if (variant.method == QTRAJ_SLERP || variant.method == QTRAJ_NLERP || variant.needs_tangents()) continue;
     CAPTURE(variant.name);
     const Keyframes<double> keys = closed_tour<double>(9);
     const Trajectory curve = must_build(make_options(variant).get(), keys, rates_for<double>(variant, 9));

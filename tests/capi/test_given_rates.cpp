@@ -127,16 +127,19 @@ TEST_CASE("C API: rates are needed by some methods and refused by the others", "
         if (status == QTRAJ_OK) qtraj_destroy(out);
         return status;
       };
-      const bool needs = variant.needs_rates(), needs_alpha = variant.needs_alpha();
-      CHECK(create_rates(omega.data(), nullptr) == (needs_alpha ? QTRAJ_E_INPUT_MISSING
-                                                    : needs     ? QTRAJ_OK
-                                                                : QTRAJ_E_INPUT_UNWANTED));
-      CHECK(create_rates(omega.data(), alpha.data()) == (needs_alpha ? QTRAJ_OK : QTRAJ_E_INPUT_UNWANTED));
+      const bool needs = variant.needs_rates(), needs_alpha = variant.needs_alpha(),
+                 needs_tangents = variant.needs_tangents();
+      CHECK(create_rates(omega.data(), nullptr) == (needs_alpha || needs_tangents ? QTRAJ_E_INPUT_MISSING
+                                                    : needs                       ? QTRAJ_OK
+                                                                                  : QTRAJ_E_INPUT_UNWANTED));
+      CHECK(create_rates(omega.data(), alpha.data()) == (needs_alpha      ? QTRAJ_OK
+                                                         : needs_tangents ? QTRAJ_E_INPUT_MISSING
+                                                                          : QTRAJ_E_INPUT_UNWANTED));
       CHECK(create_rates(nullptr, alpha.data()) == QTRAJ_E_NULL);
       CHECK(create_rates(nullptr, nullptr) == QTRAJ_E_NULL);
-      CHECK(build(options.get(), keys).status == (needs ? QTRAJ_E_INPUT_MISSING : QTRAJ_OK));
+      CHECK(build(options.get(), keys).status == (needs || needs_tangents ? QTRAJ_E_INPUT_MISSING : QTRAJ_OK));
       if (variant.end != QTRAJ_END_DEFAULT) continue;
-      const bool plain_works = !always_needs_rates(variant.method);
+      const bool plain_works = !always_needs_rates(variant.method) && !needs_tangents;
       const qtraj_status status = create(variant.method, keys.times.data(), keys.q.data(), 5, &out, nullptr);
       CHECK(status == (plain_works ? QTRAJ_OK : QTRAJ_E_INPUT_MISSING));
       qtraj_destroy(out);

@@ -119,6 +119,8 @@ TEST_CASE("C API: with a period the first key is repeated at its end", "[capi][p
       Rates<Real> closed_rates = rates;
       for (auto* values : {&closed_rates.omega, &closed_rates.alpha})
         if (!values->empty()) values->insert(values->end(), values->begin(), values->begin() + 3);
+      for (auto* values : {&closed_rates.in_tangents, &closed_rates.out_tangents})
+        if (!values->empty()) values->insert(values->end(), values->begin(), values->begin() + 4);
 
       const Options options = repeating(variant), with_period = repeating(variant);
       REQUIRE(qtraj_options_set_period(with_period.get(), period) == QTRAJ_OK);
@@ -139,8 +141,7 @@ TEST_CASE("C API: with a period the first key is repeated at its end", "[capi][p
       CHECK(bytes == plain_bytes);
       std::vector<double> memory(bytes / 8);
       qtraj_trajectory* here = nullptr;
-      REQUIRE(init(memory.data(), bytes, with_period.get(), QTRAJ_FRAME_BODY, open.times.data(), open.q.data(),
-                   rates.omega_or_null(), rates.alpha_or_null(), 5, &here, nullptr) == QTRAJ_OK);
+      REQUIRE(build_in(memory.data(), bytes, with_period.get(), open, rates, &here) == QTRAJ_OK);
       CHECK(same_bits(must_sample<Real>(here, times), must_sample<Real>(expected.get(), times)));
     }
   });

@@ -29,8 +29,7 @@ struct Case {
   }
 
   qtraj_status init_at(void* memory, size_t size, qtraj_trajectory** out) const {
-    return init(memory, size, options.get(), QTRAJ_FRAME_BODY, keys.times.data(), keys.q.data(), rates.omega_or_null(),
-                rates.alpha_or_null(), keys.count(), out, nullptr);
+    return build_in(memory, size, options.get(), keys, rates, out);
   }
   std::vector<double> times() const {
     std::vector<double> times = times_in(keys.times, 5);

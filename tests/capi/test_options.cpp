@@ -24,6 +24,8 @@ std::vector<double> effect_of(const qtraj_options* options) {
   Built built = build(options, keys);
   if (built.status == QTRAJ_E_INPUT_MISSING) built = build(options, keys, Rates<double>{rate, {}});
   if (built.status == QTRAJ_E_INPUT_MISSING) built = build(options, keys, Rates<double>{rate, rate});
+  const std::vector<double> tangents(28, 0.1);
+  if (built.status == QTRAJ_E_INPUT_MISSING) built = build(options, keys, Rates<double>{{}, {}, tangents, tangents});
   if (built.status != QTRAJ_OK) return {static_cast<double>(built.status)};
   std::vector<double> times = times_in(keys.times, 3), q(4 * times.size() + 8);
   times.insert(times.end(), {-100.25, 100.25});
@@ -59,6 +61,7 @@ const std::vector<MethodSettings>& table() {
       {QTRAJ_HERMITE, {}, {}, {}},
       {QTRAJ_ROTATION_QUINTIC, {}, {}, {}},
       {QTRAJ_QUATERNION_QUINTIC, {}, {}, {}},
+      {QTRAJ_QUATERNION_HERMITE, {}, {}, {}},
   };
   return rows;
 }

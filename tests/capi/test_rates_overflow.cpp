@@ -109,17 +109,22 @@ TEST_CASE("C API: rates near the largest number never give infinity or a flag", 
   // given rates as fast as their interval allows, in every direction
   test::Random random(5);
   for (const Variant& variant : variants()) {
-    if (!always_needs_rates(variant.method)) continue;
-    const double most = variant.method == QTRAJ_HERMITE ? 0x1p499 : 0x1p239;
+    if (!always_needs_rates(variant.method) && !variant.needs_tangents()) continue;
+    const double most = variant.needs_tangents() ? 0x1p199 : variant.method == QTRAJ_HERMITE ? 0x1p499 : 0x1p239;
     for (int round = 0; round < 60; ++round) {
       const double h = std::exp(random.uniform(std::log(1e-154), std::log(1e150)));
       const Keyframes<double> keys = {{0, h, 2 * h}, closed_tour<double>(3).q};
       const double share = round % 3 == 0 ? 1.0 : std::exp(random.uniform(std::log(1e-120), 0.0));
       Rates<double> rates;
       for (int k = 0; k < 9; ++k) {
-        rates.omega.push_back(std::max(-DBL_MAX, std::min(DBL_MAX, random.uniform(-1, 1) * most * share / h)));
+        const double rate = std::max(-DBL_MAX, std::min(DBL_MAX, random.uniform(-1, 1) * most * share / h));
+        if (variant.needs_rates()) rates.omega.push_back(rate);
         const double bend = random.uniform(-1, 1) * most * share / h / h;
         if (variant.needs_alpha()) rates.alpha.push_back(std::max(-DBL_MAX, std::min(DBL_MAX, bend)));
+      }
+      for (size_t k = 0; variant.needs_tangents() && k < 12; ++k) {
+        rates.in_tangents.push_back(random.uniform(-1, 1) * most * share / h);
+        rates.out_tangents.push_back(random.uniform(-1, 1) * most * share / h);
       }
       std::feclearexcept(FE_ALL_EXCEPT);
       for (const int32_t frame : kFrames) {

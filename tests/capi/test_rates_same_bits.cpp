@@ -88,10 +88,8 @@ TEST_CASE("C API: rates are repeatable to the bit and exact for float keys and r
     const Rates<float> rates = rates_for<float>(variant, 20);
     const Options options = make_options(variant);
     const Keyframes<double> wide_keys = {keys.times, {keys.q.begin(), keys.q.end()}};
-    const Rates<double> wide_rates = {{rates.omega.begin(), rates.omega.end()},
-                                      {rates.alpha.begin(), rates.alpha.end()}};
     const Trajectory narrow = must_build(options.get(), keys, rates), again = must_build(options.get(), keys, rates),
-                     wide = must_build(options.get(), wide_keys, wide_rates);
+                     wide = must_build(options.get(), wide_keys, widened(rates));
     const std::vector<double> times = times_in(keys.times, 9);
     const Motion<double> expected = must_sample_rates<double>(narrow.get(), QTRAJ_FRAME_WORLD, times);
     CHECK(same_bits(must_sample_rates<double>(again.get(), QTRAJ_FRAME_WORLD, times), expected));

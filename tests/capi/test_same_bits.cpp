@@ -160,10 +160,8 @@ TEST_CASE("C API: construction is repeatable to the bit and exact for float keys
     const std::vector<double> expected = must_sample<double>(first.get(), times);
     CHECK(same_bits(must_sample<double>(second.get(), times), expected));
     // construction is in double: keys that float holds exactly are the same keys
-    const Keyframes<double> widened = {keys.times, std::vector<double>(keys.q.begin(), keys.q.end())};
-    const Rates<double> widened_rates = {{rates.omega.begin(), rates.omega.end()},
-                                         {rates.alpha.begin(), rates.alpha.end()}};
-    const Trajectory wide = must_build(options.get(), widened, widened_rates);
+    const Keyframes<double> wide_keys = {keys.times, std::vector<double>(keys.q.begin(), keys.q.end())};
+    const Trajectory wide = must_build(options.get(), wide_keys, widened(rates));
     CHECK(same_bits(must_sample<double>(wide.get(), times), expected));
     CHECK(same_bits(must_sample<float>(wide.get(), times), must_sample<float>(first.get(), times)));
   }

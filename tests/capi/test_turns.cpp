@@ -58,13 +58,14 @@ TEST_CASE("C API: each method takes its own rules for turns", "[capi][turns]") {
   for (const int32_t method : all_methods()) {
     const bool turns = method == QTRAJ_SLERP || method == QTRAJ_ROTATION_SPLINE || method == QTRAJ_HERMITE ||
                        method == QTRAJ_ROTATION_QUINTIC;
+    const bool signs = turns || method == QTRAJ_QUATERNION_HERMITE;
     const bool of_rates = method == QTRAJ_HERMITE || method == QTRAJ_ROTATION_QUINTIC;
     const Options options = make_options({"", method});
     CAPTURE(method);
     CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_DEFAULT) == QTRAJ_OK);
     CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
     const qtraj_status some = turns ? QTRAJ_OK : QTRAJ_E_SETTING;
-    CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_AS_GIVEN) == some);
+    CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_AS_GIVEN) == (signs ? QTRAJ_OK : QTRAJ_E_SETTING));
     CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_GIVEN) == some);
     CHECK(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_FROM_RATES) == (of_rates ? QTRAJ_OK : QTRAJ_E_SETTING));
     for (const int32_t unknown : {1, 700, 705, int32_t{QTRAJ_FRAME_BODY}, INT32_MIN})

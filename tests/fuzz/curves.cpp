@@ -80,6 +80,8 @@ void fuzz_curve_of(Source& source, Digests& digests) {
   const Array<double> times = knots(source, count, level);
   const Array<Real> q = quaternions<Real>(source, count, level), omega(source, 3 * count, rate_level),
                     alpha(source, 3 * count, rate_level);
+  const size_t tangents = variant.needs_tangents() ? 4 * count : 0;
+  const Array<Real> in_tangents(source, tangents, rate_level), out_tangents(source, tangents, rate_level);
   if (variant.end == QTRAJ_END_PERIODIC && !source.one_in(8))
     for (size_t k = 0; k < 4; ++k) q[4 * (count - 1) + k] = q[k];
   const Real* const omega_or_null = variant.needs_rates() ? omega.data() : nullptr;
@@ -91,6 +93,9 @@ void fuzz_curve_of(Source& source, Digests& digests) {
   qtraj_trajectory *made = nullptr, *placed = nullptr;
   const int32_t frame = variant.needs_rates() ? QTRAJ_FRAME_BODY : 0;
   const qtraj_status status = checked("create", [&] {
+    if (variant.needs_tangents())
+      return capi::create_with_tangents(options.get(), times.data(), q.data(), in_tangents.data(), out_tangents.data(),
+                                        count, &made, &bad_index);
     return omega_or_null ? capi::create_with_rates(options.get(), frame, times.data(), q.data(), omega_or_null,
                                                    alpha_or_null, count, &made, &bad_index)
                          : capi::create_with_options(options.get(), times.data(), q.data(), count, &made, &bad_index);
@@ -103,6 +108,9 @@ void fuzz_curve_of(Source& source, Digests& digests) {
   if (bytes <= Rooms::kBytes) {
     const Array<double> memory(source, bytes / sizeof(double));
     const qtraj_status in_place = checked("init", [&] {
+      if (variant.needs_tangents())
+        return capi::init_with_tangents(memory.data(), bytes, options.get(), times.data(), q.data(), in_tangents.data(),
+                                        out_tangents.data(), count, &placed, &same_index);
       return capi::init(memory.data(), bytes, options.get(), frame, times.data(), q.data(), omega_or_null,
                         alpha_or_null, count, &placed, &same_index);
     });

@@ -1,5 +1,5 @@
-// The curves of the golden hash: every method with several settings through keys of every kind. Keys and times are made
-// of integers, + and * only: no library function can change a bit of them.
+// The curves of the golden hashes: every method with several settings through keys of every kind. Keys and times are
+// made of integers, + and * only: no library function can change a bit of them.
 #ifndef QTRAJ_TESTS_GOLDEN_CURVES_HPP
 #define QTRAJ_TESTS_GOLDEN_CURVES_HPP
 
@@ -31,7 +31,7 @@ class Integers {
 };
 
 struct Keys {
-  std::vector<double> times, q, omega, alpha;
+  std::vector<double> times, q, omega, alpha, in_tangents, out_tangents;
 };
 
 // A walk of steps (1, v), |v_k| <= `size`: up to 2 atan(|v|) each. Norms grow, every third sign is turned.
@@ -72,6 +72,10 @@ inline void add_rates(Keys& keys, uint64_t seed) {
     keys.omega.push_back(random.signed_fraction());
     keys.alpha.push_back(0.5 * random.signed_fraction());
   }
+  for (size_t i = 0; i < keys.q.size(); ++i) {
+    keys.in_tangents.push_back(random.signed_fraction());
+    keys.out_tangents.push_back(random.signed_fraction());
+  }
 }
 
 struct Outside {
@@ -88,13 +92,18 @@ struct Curve {
   Keys keys;
 };
 
-inline std::vector<Curve> curves() {
+// Two sets, each with a hash of its own, so that a method that is added leaves the first as it is.
+enum class Set { first, added };
+inline Set set_of(const capi::Variant& setting) { return setting.needs_tangents() ? Set::added : Set::first; }
+
+inline std::vector<Curve> curves(Set set) {
   Keys open[] = {walk(1, 5, 0.04, false), walk(2, 8, 0.5, false), walk(3, 30, 2.0, false), walk(4, 24, 0.5, true)};
   Keys tour = closed(5, 12);
   for (Keys& keys : open) add_rates(keys, 6);
   add_rates(tour, 7);
   std::vector<Curve> all;
   for (const capi::Variant& setting : capi::variants()) {
+    if (set_of(setting) != set) continue;
     all.push_back({setting, kWrapped, tour});
     all.push_back({setting, kOutside[all.size() % 3], tour});
     if (setting.end == QTRAJ_END_PERIODIC) continue;

@@ -1,5 +1,6 @@
 // qtraj_golden [--target NAME]: samples every method in every way with one kernel (that of this CPU, or the one named),
-// calls the functions over rows and prints "NAME hash", one hash for all bits that came out. Fails where the bits of a
+// calls the functions over rows and prints "NAME hash added", a hash of all bits that came out and one of those of the
+// methods and rules that were added since (golden/curves.hpp). Fails where the bits of a
 // sample depend on its place in the batch, the split or the function. Exits with 77 where this CPU, or this build, has
 // no such kernel.
 #include <cstdio>
@@ -63,17 +64,24 @@ capi::Trajectory build(const Curve& curve) {
   require(setting.reference == QTRAJ_REFERENCE_DEFAULT ||
               qtraj_options_set_reference(options, setting.reference, given ? q_wb : nullptr) == QTRAJ_OK,
           "set_reference");
+  // signs alternate: one of both rules each time
+  const int32_t turns = curve.keys.times.size() % 2 == 0 ? QTRAJ_TURNS_SHORTEST : QTRAJ_TURNS_AS_GIVEN;
+  require(!setting.needs_tangents() || qtraj_options_set_turns(options, turns) == QTRAJ_OK, "set_turns");
   require(qtraj_options_set_extrapolation(options, curve.outside.before, curve.outside.after) == QTRAJ_OK,
           "set_extrapolation");
   const auto& keys = curve.keys;
   const std::vector<Real> q(keys.q.begin(), keys.q.end()), w(keys.omega.begin(), keys.omega.end()),
-      a(keys.alpha.begin(), keys.alpha.end());
+      a(keys.alpha.begin(), keys.alpha.end()), in(keys.in_tangents.begin(), keys.in_tangents.end()),
+      out_of(keys.out_tangents.begin(), keys.out_tangents.end());
   qtraj_trajectory* out = nullptr;
   const size_t count = keys.times.size();
   const qtraj_status status =
-      setting.needs_rates() ? capi::create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), q.data(), w.data(),
-                                                      setting.needs_alpha() ? a.data() : nullptr, count, &out, nullptr)
-                            : capi::create_with_options(options, keys.times.data(), q.data(), count, &out, nullptr);
+      setting.needs_tangents() ? capi::create_with_tangents(options, keys.times.data(), q.data(), in.data(),
+                                                            out_of.data(), count, &out, nullptr)
+      : setting.needs_rates()
+          ? capi::create_with_rates(options, QTRAJ_FRAME_BODY, keys.times.data(), q.data(), w.data(),
+                                    setting.needs_alpha() ? a.data() : nullptr, count, &out, nullptr)
+          : capi::create_with_options(options, keys.times.data(), q.data(), count, &out, nullptr);
   require(status == QTRAJ_OK, "a curve cannot be built");
   return capi::Trajectory(out);
 }
@@ -211,9 +219,9 @@ void add_rows(Hash& hash) {
   hash.add(mean);
 }
 
-uint64_t golden_hash() {
+Hash hash_of_curves(golden::Set set) {
   Hash hash;
-  for (const Curve& curve : golden::curves()) {
+  for (const Curve& curve : golden::curves(set)) {
     const std::vector<double> times = times_for(curve.keys.times);
     const capi::Trajectory from_double = build<double>(curve), from_float = build<float>(curve);
     add_samples<double>(from_double.get(), times, hash);
@@ -222,6 +230,11 @@ uint64_t golden_hash() {
     of_float_keys.take(from_float.get(), QTRAJ_FRAME_WORLD, times.data(), 0, times.size());
     hash.add(of_float_keys.hash());
   }
+  return hash;
+}
+
+uint64_t golden_hash() {
+  Hash hash = hash_of_curves(golden::Set::first);
   add_rows(hash);
   return hash.value();
 }
@@ -245,6 +258,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: qtraj_golden [--target NAME], such as \"scalar plain\"\n");
     return kWrongUse;
   }
-  std::printf("%s %016llx\n", qtraj_target(), static_cast<unsigned long long>(golden_hash()));
+  std::printf("%s %016llx %016llx\n", qtraj_target(), static_cast<unsigned long long>(golden_hash()),
+              static_cast<unsigned long long>(hash_of_curves(golden::Set::added).value()));
   return 0;
 }

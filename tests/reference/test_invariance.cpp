@@ -193,7 +193,7 @@ bool is_reversible(const Variant& variant) {
   const int32_t reference = variant.settings.reference;
   if (variant.is(QTRAJ_LOG_SPLINE)) return reference == QTRAJ_REFERENCE_MEAN || reference == QTRAJ_REFERENCE_GIVEN;
   return variant.is(QTRAJ_SLERP) || variant.is(QTRAJ_NLERP) || variant.is(QTRAJ_SQUAD) ||
-         variant.is(QTRAJ_QUATERNION_QUINTIC);
+         variant.is(QTRAJ_QUATERNION_QUINTIC) || variant.is(QTRAJ_QUATERNION_HERMITE);
 }
 
 // Rounding, grown by the equations and by 150-degree steps of the walks; 1.3e-14 was met.
@@ -295,7 +295,7 @@ TEST_CASE("signs of keys change no number, but for the sign of all samples, whic
   });
 }
 
-TEST_CASE("SLERP, NLERP, SQUAD, QUATERNION_QUINTIC and LOG_SPLINE without FIRST are the same backwards",
+TEST_CASE("SLERP, NLERP, SQUAD, the methods of quaternions and LOG_SPLINE without FIRST are the same backwards",
           "[invariance]") {
   for_curves([&](const Curve& curve) {
     if (!is_reversible(curve.variant)) return;

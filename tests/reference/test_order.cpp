@@ -59,7 +59,8 @@ std::vector<Promise> promises() {
           {variant("ROTATION_SPLINE NATURAL"), false, 2},
           {variant("HERMITE"), false, 4},
           {variant("ROTATION_QUINTIC"), false, 6},
-          {variant("QUATERNION_QUINTIC"), false, 6}};
+          {variant("QUATERNION_QUINTIC"), false, 6},
+          {variant("QUATERNION_HERMITE"), false, 4}};
 }
 
 // The motion at a set of knots and at times in between.

@@ -36,9 +36,9 @@ Keys tour(size_t count) {
 // What a constructor takes besides its options, in arrays that are ready to be passed.
 struct Input {
   Keys keys;
-  std::vector<double> rates;  // small ones; serve as omega and alpha
+  std::vector<double> rates;  // small ones; serve as omega, alpha and tangents
 
-  explicit Input(size_t count) : keys(tour(count)), rates(3 * count) {
+  explicit Input(size_t count) : keys(tour(count)), rates(4 * count) {
     for (size_t i = 0; i < rates.size(); ++i) rates[i] = 0.1 * (static_cast<double>(i % 5) - 2.0);
   }
 };
@@ -78,9 +78,14 @@ double construction_time(const Variant& variant, const Options& options, const I
                *alpha = variant.needs_alpha() ? input.rates.data() : nullptr;
   qtraj_trajectory* handle = nullptr;
   const std::clock_t start = std::clock();
-  const qtraj_status status = qtraj_init(memory.data(), memory.size() * sizeof(double), options.get(), QTRAJ_FRAME_BODY,
-                                         input.keys.times.data(), input.keys.q.data(), omega, alpha, nullptr,
-                                         input.keys.count(), &handle, nullptr);
+  const Keys& keys = input.keys;
+  const size_t bytes = memory.size() * sizeof(double);
+  const qtraj_status status =
+      variant.needs_tangents()
+          ? qtraj_init_with_tangents(memory.data(), bytes, options.get(), keys.times.data(), keys.q.data(),
+                                     input.rates.data(), nullptr, keys.count(), &handle, nullptr)
+          : qtraj_init(memory.data(), bytes, options.get(), QTRAJ_FRAME_BODY, keys.times.data(), keys.q.data(), omega,
+                       alpha, nullptr, keys.count(), &handle, nullptr);
   const std::clock_t end = std::clock();
   qtraj_destroy(handle);
   REQUIRE(status == QTRAJ_OK);

@@ -114,7 +114,7 @@ struct Calls {
     }
     for (const test::KernelCurve& curve : curves) add_samplers(curve.get());
     for (const Variant& variant : variants())
-      if (!variant.needs_rates()) add_constructor(variant);
+      if (!variant.needs_rates() && !variant.needs_tangents()) add_constructor(variant);
     add_batches();
     add_functions();
   }

@@ -55,6 +55,16 @@ inline qtraj_status create_with_rates(const qtraj_options* options, int32_t fram
                                       size_t* bad_index) {
   return qtraj_create_with_rates_f32(options, frame, times, q, omega, alpha, count, out, bad_index);
 }
+inline qtraj_status create_with_tangents(const qtraj_options* options, const double* times, const double* q,
+                                         const double* in_tangents, const double* out_tangents, size_t count,
+                                         qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_create_with_tangents(options, times, q, in_tangents, out_tangents, count, out, bad_index);
+}
+inline qtraj_status create_with_tangents(const qtraj_options* options, const double* times, const float* q,
+                                         const float* in_tangents, const float* out_tangents, size_t count,
+                                         qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_create_with_tangents_f32(options, times, q, in_tangents, out_tangents, count, out, bad_index);
+}
 inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* options, int32_t frame, const double* times,
                          const double* q, const double* omega, const double* alpha, size_t count,
                          qtraj_trajectory** out, size_t* bad_index) {
@@ -64,6 +74,17 @@ inline qtraj_status init(void* memory, size_t bytes, const qtraj_options* option
                          const float* q, const float* omega, const float* alpha, size_t count, qtraj_trajectory** out,
                          size_t* bad_index) {
   return qtraj_init_f32(memory, bytes, options, frame, times, q, omega, alpha, nullptr, count, out, bad_index);
+}
+inline qtraj_status init_with_tangents(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                       const double* q, const double* in_tangents, const double* out_tangents,
+                                       size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_init_with_tangents(memory, bytes, options, times, q, in_tangents, out_tangents, count, out, bad_index);
+}
+inline qtraj_status init_with_tangents(void* memory, size_t bytes, const qtraj_options* options, const double* times,
+                                       const float* q, const float* in_tangents, const float* out_tangents,
+                                       size_t count, qtraj_trajectory** out, size_t* bad_index) {
+  return qtraj_init_with_tangents_f32(memory, bytes, options, times, q, in_tangents, out_tangents, count, out,
+                                      bad_index);
 }
 inline qtraj_status sample(const qtraj_trajectory* trajectory, const double* times, size_t count, double* q_out,
                            size_t* bad_index) {

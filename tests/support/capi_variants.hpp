@@ -31,6 +31,8 @@ inline Options make_options(const Variant& variant, double rate = 0.25) {
     const bool given = variant.reference == QTRAJ_REFERENCE_GIVEN;
     REQUIRE(qtraj_options_set_reference(options, variant.reference, given ? q_wb : nullptr) == QTRAJ_OK);
   }
+  // keys of tests over all methods come with any sign
+  if (variant.needs_tangents()) REQUIRE(qtraj_options_set_turns(options, QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   return owner;
 }
 
@@ -60,10 +62,10 @@ Keyframes<Real> closed_tour(size_t count) {
   return keys;
 }
 
-// Rates at the keys in the body frame; empty where there are none.
+// Rates at the keys in the body frame, tangents in R^4; empty where there are none.
 template <class Real>
 struct Rates {
-  std::vector<Real> omega, alpha;
+  std::vector<Real> omega, alpha, in_tangents = {}, out_tangents = {};
 
   const Real* omega_or_null() const { return omega.empty() ? nullptr : omega.data(); }
   const Real* alpha_or_null() const { return alpha.empty() ? nullptr : alpha.data(); }
@@ -77,7 +79,18 @@ Rates<Real> rates_for(const Variant& variant, size_t count, double rate = 0.25) 
     if (variant.needs_rates()) rates.omega.push_back(Real(rate * (static_cast<double>(i % 5) - 2.0) / 4.0));
     if (variant.needs_alpha()) rates.alpha.push_back(Real(rate * (static_cast<double>(i % 7) - 3.0) / 8.0));
   }
+  for (size_t i = 0; variant.needs_tangents() && i < 4 * count; ++i) {
+    rates.in_tangents.push_back(Real(rate * (static_cast<double>(i % 5) - 2.0) / 8.0));
+    rates.out_tangents.push_back(Real(rate * (static_cast<double>(i % 7) - 3.0) / 8.0));
+  }
   return rates;
+}
+
+inline Rates<double> widened(const Rates<float>& rates) {
+  return {{rates.omega.begin(), rates.omega.end()},
+          {rates.alpha.begin(), rates.alpha.end()},
+          {rates.in_tangents.begin(), rates.in_tangents.end()},
+          {rates.out_tangents.begin(), rates.out_tangents.end()}};
 }
 
 struct Built {
@@ -86,12 +99,18 @@ struct Built {
   Trajectory trajectory;
 };
 
-// create_with_options, or create_with_rates where there are rates.
+// create_with_options, or create_with_rates where there are rates, create_with_tangents where there are tangents.
 template <class Real>
 Built build(const qtraj_options* options, const Keyframes<Real>& keys, const Rates<Real>& rates = {},
             int32_t frame = QTRAJ_FRAME_BODY) {
   qtraj_trajectory* out = nullptr;
   size_t bad_index = 0;
+  if (!rates.in_tangents.empty()) {
+    const qtraj_status status =
+        create_with_tangents(options, keys.times.data(), keys.q.data(), rates.in_tangents.data(),
+                             rates.out_tangents.data(), keys.count(), &out, &bad_index);
+    return {status, bad_index, Trajectory(out)};
+  }
   const qtraj_status status =
       rates.omega.empty()
           ? create_with_options(options, keys.times.data(), keys.q.data(), keys.count(), &out, &bad_index)
@@ -105,6 +124,17 @@ Trajectory must_build(const qtraj_options* options, const Keyframes<Real>& keys,
   Built built = build(options, keys, rates, frame);
   REQUIRE(built.status == QTRAJ_OK);
   return std::move(built.trajectory);
+}
+
+// The same in the caller's memory: init, or init_with_tangents where there are tangents.
+template <class Real>
+qtraj_status build_in(void* memory, size_t bytes, const qtraj_options* options, const Keyframes<Real>& keys,
+                      const Rates<Real>& rates, qtraj_trajectory** out, size_t* bad_index = nullptr) {
+  if (!rates.in_tangents.empty())
+    return init_with_tangents(memory, bytes, options, keys.times.data(), keys.q.data(), rates.in_tangents.data(),
+                              rates.out_tangents.data(), keys.count(), out, bad_index);
+  return init(memory, bytes, options, QTRAJ_FRAME_BODY, keys.times.data(), keys.q.data(), rates.omega_or_null(),
+              rates.alpha_or_null(), keys.count(), out, bad_index);
 }
 
 template <class Real>

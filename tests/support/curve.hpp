@@ -23,6 +23,7 @@ struct Variant {
     return capi::always_needs_rates(settings.method) || settings.tangents == QTRAJ_TANGENT_GIVEN;
   }
   bool needs_alpha() const { return capi::method_of(settings.method).needs == capi::Needs::omega_and_alpha; }
+  bool needs_tangents() const { return capi::needs_tangents(settings.method); }
   bool needs_end_rates() const { return settings.end == QTRAJ_END_GIVEN; }
   bool is_closed() const { return settings.end == QTRAJ_END_PERIODIC; }
 };
@@ -47,6 +48,18 @@ inline std::vector<double> flat(const std::vector<Vector>& vectors) {
   return components;
 }
 
+// The tangents of a quaternion that turns with the rates of a curve.
+inline std::vector<double> tangents_of(const Curve& curve) {
+  std::vector<double> tangents;
+  for (size_t key = 0; key < curve.keys.count(); ++key) {
+    const Vector& w = curve.omega[key];
+    const Quaternion half = {0, 0.5 * w[0], 0.5 * w[1], 0.5 * w[2]}, q = curve.keys.orientation(key);
+    const Quaternion tangent = curve.frame == QTRAJ_FRAME_BODY ? multiply(q, half) : multiply(half, q);
+    tangents.insert(tangents.end(), tangent.begin(), tangent.end());
+  }
+  return tangents;
+}
+
 // Handle of a curve; owned by the caller.
 inline qtraj_trajectory* build_handle(const Curve& curve) {
   qtraj_options* options = make_options(curve.variant.settings);
@@ -56,8 +69,12 @@ inline qtraj_trajectory* build_handle(const Curve& curve) {
   const std::vector<double> omega = flat(curve.omega), alpha = flat(curve.alpha);
   const Keys& keys = curve.keys;
   qtraj_trajectory* handle = nullptr;
+  const std::vector<double> tangents = tangents_of(curve);
   const qtraj_status status =
-      curve.variant.needs_omega()
+      curve.variant.needs_tangents()
+          ? qtraj_create_with_tangents(options, keys.times.data(), keys.q.data(), tangents.data(), nullptr,
+                                       keys.count(), &handle, nullptr)
+      : curve.variant.needs_omega()
           ? qtraj_create_with_rates(options, curve.frame, keys.times.data(), keys.q.data(), omega.data(),
                                     curve.variant.needs_alpha() ? alpha.data() : nullptr, keys.count(), &handle,
                                     nullptr)

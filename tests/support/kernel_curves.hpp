@@ -27,6 +27,7 @@ struct KernelCase {
   size_t count;
   double largest_step;  // rad
   double rate;          // of given rates, rad/s
+  double norm = 1.0;    // of the keys, in which tangents are
 };
 
 // Rotation vectors with |p| in each of its ranges.
@@ -48,7 +49,9 @@ inline std::vector<KernelCase> kernel_cases() {
           {{"ROTATION_QUINTIC full turn", QTRAJ_ROTATION_QUINTIC}, 20, 1.5, 20},
           {{"ROTATION_QUINTIC any", QTRAJ_ROTATION_QUINTIC}, 20, 1.5, 1000},
           {{"QUATERNION_QUINTIC", QTRAJ_QUATERNION_QUINTIC}, 20, 1.5, 0.5},
-          {{"QUATERNION_QUINTIC any", QTRAJ_QUATERNION_QUINTIC}, 20, 1.5, 1e5}};
+          {{"QUATERNION_QUINTIC any", QTRAJ_QUATERNION_QUINTIC}, 20, 1.5, 1e5},
+          {{"QUATERNION_HERMITE", QTRAJ_QUATERNION_HERMITE}, 20, 1.5, 0.5},
+          {{"QUATERNION_HERMITE any", QTRAJ_QUATERNION_HERMITE}, 20, 1.5, 0.5, 0x1p30}};
 }
 
 // Through a random walk that begins at `start`, s.
@@ -61,9 +64,11 @@ inline KernelCurve kernel_curve(const KernelCase& c, int32_t before, int32_t aft
   // rates beyond what the steps turn: they shall wind the curves, not add turns to them
   REQUIRE(qtraj_options_set_turns(options.get(), QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   REQUIRE(qtraj_options_set_extrapolation(options.get(), before, after) == QTRAJ_OK);
+  for (double& component : walk.q) component *= c.norm;
   const capi::Keyframes<double> keys = {walk.times, walk.q};
+  const double rate = c.variant.needs_tangents() ? c.norm * c.rate : c.rate;
   return {c.variant.name, walk.times,
-          capi::must_build(options.get(), keys, capi::rates_for<double>(c.variant, c.count, c.rate))};
+          capi::must_build(options.get(), keys, capi::rates_for<double>(c.variant, c.count, rate))};
 }
 
 inline std::vector<KernelCurve> kernel_curves(int32_t before, int32_t after) {

@@ -17,7 +17,7 @@ struct Constant {
   int32_t value;
 };
 
-enum class Needs { nothing, omega, omega_and_alpha };  // at all keys
+enum class Needs { nothing, omega, omega_and_alpha, tangents };  // at all keys
 
 struct Method {
   const char* name;
@@ -52,6 +52,7 @@ inline const std::vector<Method>& methods() {
     Method rotation_spline = {"ROTATION_SPLINE", QTRAJ_ROTATION_SPLINE};
     rotation_spline.ends = {estimated, chord, natural, given, periodic};
     list.push_back(rotation_spline);
+    list.push_back({"QUATERNION_HERMITE", QTRAJ_QUATERNION_HERMITE, Needs::tangents});
     return list;
   }();
   return all;
@@ -70,7 +71,10 @@ inline const Method& method_of(int32_t value) {
 }
 
 // Rates at the keys are arguments of some methods; of the others they may be with a setting.
-inline bool always_needs_rates(int32_t method) { return method_of(method).needs != Needs::nothing; }
+inline bool always_needs_rates(int32_t method) {
+  return method_of(method).needs == Needs::omega || method_of(method).needs == Needs::omega_and_alpha;
+}
+inline bool needs_tangents(int32_t method) { return method_of(method).needs == Needs::tangents; }
 
 struct Variant {
   std::string name;
@@ -81,6 +85,7 @@ struct Variant {
 
   bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN || always_needs_rates(method); }
   bool needs_alpha() const { return method_of(method).needs == Needs::omega_and_alpha; }
+  bool needs_tangents() const { return capi::needs_tangents(method); }
 };
 
 // Every method with every setting that changes its curve: "SQUAD CATMULL_ROM CHORD", ...

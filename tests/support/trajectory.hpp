@@ -32,6 +32,9 @@ inline qtraj_options* make_options(const Settings& settings) {
     const double* q = settings.reference_q.empty() ? nullptr : settings.reference_q.data();
     REQUIRE(qtraj_options_set_reference(options, settings.reference, q) == QTRAJ_OK);
   }
+  // keys come with any sign
+  if (settings.method == QTRAJ_QUATERNION_HERMITE)
+    REQUIRE(qtraj_options_set_turns(options, QTRAJ_TURNS_SHORTEST) == QTRAJ_OK);
   return options;
 }
 

@@ -159,9 +159,7 @@ void add_construction(const Variant& variant, std::vector<NamedCall>& calls) {
     c->memory.resize(bytes);
     calls.push_back({"constructors", variant.name, [=] {
                        qtraj_trajectory* out = nullptr;
-                       init(c->memory.data(), c->memory.size(), c->options.get(), QTRAJ_FRAME_BODY,
-                            c->keys.times.data(), c->keys.q.data(), c->rates.omega_or_null(), c->rates.alpha_or_null(),
-                            kKeys, &out, nullptr);
+                       build_in(c->memory.data(), c->memory.size(), c->options.get(), c->keys, c->rates, &out);
                      }});
     calls.push_back(
         {"constructors", variant.name + ", on the heap", [=] { build(c->options.get(), c->keys, c->rates); }});

@@ -196,16 +196,20 @@ static void check_overshoot(void) {
               {QTRAJ_ROTATION_SPLINE, QTRAJ_END_NATURAL, 11.5},
               {QTRAJ_HERMITE, 0, 0},
               {QTRAJ_ROTATION_QUINTIC, 0, 0},
-              {QTRAJ_QUATERNION_QUINTIC, 0, 0}};
+              {QTRAJ_QUATERNION_QUINTIC, 0, 0},
+              {QTRAJ_QUATERNION_HERMITE, 0, 0}};
   const double t[4] = {0, 1, 2, 3}, h = sqrt(0.5);
-  const double q[4][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {h, 0, 0, h}, {h, 0, 0, h}}, still[4][3] = {{0}};
+  const double q[4][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {h, 0, 0, h}, {h, 0, 0, h}}, still[4][3] = {{0}},
+               still_tangents[4][4] = {{0}};
   size_t row;
   for (row = 0; row < sizeof rows / sizeof rows[0]; ++row) {
     const int32_t method = rows[row].method;
     qtraj_options* options = options_of(method);
     qtraj_trajectory* curve = NULL;
     if (rows[row].end) CHECK(!qtraj_options_set_ends(options, rows[row].end, rows[row].end));
-    if (method < QTRAJ_HERMITE)
+    if (method == QTRAJ_QUATERNION_HERMITE)
+      CHECK(!qtraj_create_with_tangents(options, t, q[0], still_tangents[0], NULL, 4, &curve, NULL));
+    else if (method < QTRAJ_HERMITE)
       CHECK(!qtraj_create_with_options(options, t, q[0], 4, &curve, NULL));
     else
       CHECK(!qtraj_create_with_rates(options, QTRAJ_FRAME_BODY, t, q[0], still[0],
