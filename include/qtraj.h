@@ -249,7 +249,9 @@ enum qtraj_tangent_value {
   QTRAJ_TANGENT_DEFAULT = 0,       /**< CATMULL_ROM */
   QTRAJ_TANGENT_CATMULL_ROM = 301, /**< mean of the slerp rates before and after, the shorter interval counting more */
   QTRAJ_TANGENT_MEAN_VELOCITY = 302, /**< plain mean of the two */
-  QTRAJ_TANGENT_GIVEN = 303          /**< omega of qtraj_create_with_rates() or qtraj_init() */
+  QTRAJ_TANGENT_GIVEN = 303,         /**< omega of qtraj_create_with_rates() or qtraj_init() */
+  QTRAJ_TANGENT_REST = 304           /**< no overshoot: 0 where the two slerp rates differ in sign or one is 0, else
+                                          CATMULL_ROM, at most 3 times the smaller; each component of its own */
 };
 /** LOG_SPLINE: the orientation that rotation vectors start from. The curve is singular one full turn away from it. */
 enum qtraj_reference_value {

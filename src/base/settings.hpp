@@ -23,7 +23,8 @@ enum class Tangent : int32_t {
   standard = QTRAJ_TANGENT_DEFAULT,
   catmull_rom = QTRAJ_TANGENT_CATMULL_ROM,
   mean_velocity = QTRAJ_TANGENT_MEAN_VELOCITY,
-  given = QTRAJ_TANGENT_GIVEN
+  given = QTRAJ_TANGENT_GIVEN,
+  rest = QTRAJ_TANGENT_REST
 };
 enum class Reference : int32_t {
   standard = QTRAJ_REFERENCE_DEFAULT,
@@ -57,7 +58,7 @@ static constexpr bool is_between(Constant value, Constant first, Constant last) 
 static constexpr bool is_known(Frame frame) { return is_between(frame, Frame::body, Frame::world); }
 static constexpr bool is_known(End end) { return end == End::standard || is_between(end, End::chord, End::periodic); }
 static constexpr bool is_known(Tangent rule) {
-  return rule == Tangent::standard || is_between(rule, Tangent::catmull_rom, Tangent::given);
+  return rule == Tangent::standard || is_between(rule, Tangent::catmull_rom, Tangent::rest);
 }
 static constexpr bool is_known(Reference rule) {
   return rule == Reference::standard || is_between(rule, Reference::first, Reference::given);

@@ -9,11 +9,25 @@ namespace qtraj {
 
 // ---- Controls ----
 
+namespace {
+
+// Of one component: chord rates before and after, and their CATMULL_ROM value.
+double resting_rate(double before, double after, double mean) {
+  if (!(before > 0 && after > 0) && !(before < 0 && after < 0)) return 0.0;
+  const double limit = 3.0 * std::min(std::abs(before), std::abs(after));
+  return std::min(std::max(mean, -limit), limit);
+}
+
+}  // namespace
+
 Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord& after) {
   const Vector3 v_before = before.log / before.h, v_after = after.log / after.h;
   if (rule == Tangent::mean_velocity) return 0.5 * v_before + 0.5 * v_after;
   const IntervalShares shares = interval_shares(before.h, after.h);
-  return shares.right * v_before + shares.left * v_after;
+  const Vector3 mean = shares.right * v_before + shares.left * v_after;
+  if (rule != Tangent::rest) return mean;
+  return {resting_rate(v_before[0], v_after[0], mean[0]), resting_rate(v_before[1], v_after[1], mean[1]),
+          resting_rate(v_before[2], v_after[2], mean[2])};
 }
 
 Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord) {

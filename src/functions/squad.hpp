@@ -17,7 +17,10 @@ struct SquadChord {
 
 // The tangent rule: the half rate (omega_body/2) of the curve at a key, from the chords before and after it,
 // CATMULL_ROM (h_after v_before + h_before v_after) / (h_before + h_after), MEAN_VELOCITY (v_before + v_after)/2,
-// v = log/h.
+// v = log/h. REST, component by component: 0 where v_before and v_after differ in sign or one is 0, else CATMULL_ROM's
+// value but at most 3 min(|v_before|, |v_after|), with which a cubic between two keys does not turn back (F. N. Fritsch
+// and R. E. Carlson, "Monotone piecewise cubic interpolation", SIAM J. Numer. Anal. 17, 1980, the sufficient
+// condition).
 Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord& after);
 
 // s times the largest factor in [0, 1] with |factor h s - log| <= pi; past 2 pi the control would wrap. |log| up to pi.

@@ -47,7 +47,8 @@ const std::vector<MethodSettings>& table() {
       {QTRAJ_NLERP, {}, {}, {}},
       {QTRAJ_SQUAD,
        {QTRAJ_END_DEFAULT, QTRAJ_END_CHORD, QTRAJ_END_ESTIMATED, QTRAJ_END_GIVEN, QTRAJ_END_PERIODIC},
-       {QTRAJ_TANGENT_DEFAULT, QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_MEAN_VELOCITY, QTRAJ_TANGENT_GIVEN},
+       {QTRAJ_TANGENT_DEFAULT, QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_MEAN_VELOCITY, QTRAJ_TANGENT_GIVEN,
+        QTRAJ_TANGENT_REST},
        {}},
       {QTRAJ_LOG_SPLINE,
        {QTRAJ_END_DEFAULT, QTRAJ_END_NATURAL, QTRAJ_END_NOT_A_KNOT, QTRAJ_END_PERIODIC},
@@ -96,9 +97,9 @@ TEST_CASE("C API: tangents and reference are settings of the methods that have t
   const double q_wb[4] = {1, 2, 3, 4};
   for (const MethodSettings& row : table()) {
     const Options options = options_of(row.method);
-    for (const int32_t rule : candidates(QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_GIVEN)) {
+    for (const int32_t rule : candidates(QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_REST)) {
       CAPTURE(row.method, rule);
-      const bool known = is_constant(rule, QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_GIVEN);
+      const bool known = is_constant(rule, QTRAJ_TANGENT_CATMULL_ROM, QTRAJ_TANGENT_REST);
       const qtraj_status expected = !known ? QTRAJ_E_VALUE : is_one_of(rule, row.tangents) ? QTRAJ_OK : QTRAJ_E_SETTING;
       CHECK(qtraj_options_set_tangents(options.get(), rule) == expected);
     }

@@ -94,7 +94,10 @@ struct Curve {
 
 // Two sets, each with a hash of its own, so that a method that is added leaves the first as it is.
 enum class Set { first, added };
-inline Set set_of(const capi::Variant& setting) { return setting.needs_tangents() ? Set::added : Set::first; }
+inline Set set_of(const capi::Variant& setting) {
+  const bool is_added = setting.needs_tangents() || setting.tangents == QTRAJ_TANGENT_REST;
+  return is_added ? Set::added : Set::first;
+}
 
 inline std::vector<Curve> curves(Set set) {
   Keys open[] = {walk(1, 5, 0.04, false), walk(2, 8, 0.5, false), walk(3, 30, 2.0, false), walk(4, 24, 0.5, true)};

@@ -220,6 +220,8 @@ TEST_CASE("world axes can be chosen freely: P q turns world rates by P and leave
 TEST_CASE("body axes can be chosen freely: q P turns body rates by P* and leaves world rates", "[invariance]") {
   Random random(12);
   for_curves([&](const Curve& curve) {
+    // judges components in the body frame one by one
+    if (curve.variant.settings.tangents == QTRAJ_TANGENT_REST) return;
     const Quaternion p = random.orientation(), back = conjugate(p);
     Curve changed = curve;
     turn(changed, [&](const Quaternion& q) { return multiply(q, p); });

@@ -41,7 +41,9 @@ inline const std::vector<Method>& methods() {
                                 {"QUATERNION_QUINTIC", QTRAJ_QUATERNION_QUINTIC, Needs::omega_and_alpha}};
     Method squad = {"SQUAD", QTRAJ_SQUAD};
     squad.takes_rates = true;
-    squad.tangents = {{" CATMULL_ROM", QTRAJ_TANGENT_CATMULL_ROM}, {" MEAN_VELOCITY", QTRAJ_TANGENT_MEAN_VELOCITY}};
+    squad.tangents = {{" CATMULL_ROM", QTRAJ_TANGENT_CATMULL_ROM},
+                      {" MEAN_VELOCITY", QTRAJ_TANGENT_MEAN_VELOCITY},
+                      {" REST", QTRAJ_TANGENT_REST}};
     squad.ends = {chord, estimated, given, periodic};
     list.push_back(squad);
     Method log_spline = {"LOG_SPLINE", QTRAJ_LOG_SPLINE};

@@ -184,20 +184,24 @@ static void check_overshoot(void) {
   static const struct {
     int32_t method, end;
     double degrees;
-  } rows[] = {{QTRAJ_SLERP, 0, 0},
-              {QTRAJ_NLERP, 0, 0},
-              {QTRAJ_SQUAD, 0, 6.7},
-              {QTRAJ_SQUAD, QTRAJ_END_CHORD, 6.7},
-              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 11.3},
-              {QTRAJ_LOG_SPLINE, 0, 11.5},
-              {QTRAJ_LOG_SPLINE, QTRAJ_END_NOT_A_KNOT, 22.7},
-              {QTRAJ_ROTATION_SPLINE, 0, 22.7},
-              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_CHORD, 8.0},
-              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_NATURAL, 11.5},
-              {QTRAJ_HERMITE, 0, 0},
-              {QTRAJ_ROTATION_QUINTIC, 0, 0},
-              {QTRAJ_QUATERNION_QUINTIC, 0, 0},
-              {QTRAJ_QUATERNION_HERMITE, 0, 0}};
+    int32_t tangents;
+  } rows[] = {{QTRAJ_SLERP, 0, 0, 0},
+              {QTRAJ_NLERP, 0, 0, 0},
+              {QTRAJ_SQUAD, 0, 6.7, 0},
+              {QTRAJ_SQUAD, QTRAJ_END_CHORD, 6.7, 0},
+              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 11.3, 0},
+              {QTRAJ_SQUAD, 0, 0, QTRAJ_TANGENT_REST},
+              {QTRAJ_SQUAD, QTRAJ_END_CHORD, 0, QTRAJ_TANGENT_REST},
+              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 6.7, QTRAJ_TANGENT_REST},
+              {QTRAJ_LOG_SPLINE, 0, 11.5, 0},
+              {QTRAJ_LOG_SPLINE, QTRAJ_END_NOT_A_KNOT, 22.7, 0},
+              {QTRAJ_ROTATION_SPLINE, 0, 22.7, 0},
+              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_CHORD, 8.0, 0},
+              {QTRAJ_ROTATION_SPLINE, QTRAJ_END_NATURAL, 11.5, 0},
+              {QTRAJ_HERMITE, 0, 0, 0},
+              {QTRAJ_ROTATION_QUINTIC, 0, 0, 0},
+              {QTRAJ_QUATERNION_QUINTIC, 0, 0, 0},
+              {QTRAJ_QUATERNION_HERMITE, 0, 0, 0}};
   const double t[4] = {0, 1, 2, 3}, h = sqrt(0.5);
   const double q[4][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {h, 0, 0, h}, {h, 0, 0, h}}, still[4][3] = {{0}},
                still_tangents[4][4] = {{0}};
@@ -207,6 +211,7 @@ static void check_overshoot(void) {
     qtraj_options* options = options_of(method);
     qtraj_trajectory* curve = NULL;
     if (rows[row].end) CHECK(!qtraj_options_set_ends(options, rows[row].end, rows[row].end));
+    if (rows[row].tangents) CHECK(!qtraj_options_set_tangents(options, rows[row].tangents));
     if (method == QTRAJ_QUATERNION_HERMITE)
       CHECK(!qtraj_create_with_tangents(options, t, q[0], still_tangents[0], NULL, 4, &curve, NULL));
     else if (method < QTRAJ_HERMITE)
