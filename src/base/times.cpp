@@ -6,10 +6,6 @@
 
 namespace qtraj {
 
-Status check_knot(const double* times, size_t index) {
-  return index == 0 ? Status::ok : check_time(times[0], times[index - 1], times[index]);
-}
-
 Status check_time(double first, double previous, double time) {
   if (!(time > previous)) return Status::time_order;
   // halved first, so that the difference cannot overflow
