@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   bench::add_construction();
   bench::add_vectors();
   bench::add_batches();
+  bench::add_few_keys();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -68,6 +68,27 @@ Eigen::Map<Eigen::Quaternion<Real>> eigen_row(Real* rows, size_t i) {
   return Eigen::Map<Eigen::Quaternion<Real>>(rows + 4 * i);
 }
 
+// What a slerp between the same keys can be prepared of: unit keys of continuous sign, and for each segment the angle
+// and the inverses of its sine and of its length.
+struct EigenSegment {
+  Eigen::Quaterniond key;
+  double angle, inverse_sine, inverse_length;
+};
+inline void eigen_prepare_slerp(const double* times, const double* q_wb, size_t count, EigenSegment* segments) {
+  for (size_t i = 0; i < count; ++i) {
+    Eigen::Quaterniond key = eigen_from<double>(q_wb + 4 * i).normalized();
+    if (i > 0) {
+      EigenSegment& before = segments[i - 1];
+      double cosine = before.key.dot(key);
+      if (cosine < 0) key.coeffs() = -key.coeffs(), cosine = -cosine;
+      before.angle = std::acos(std::min(cosine, 1.0));
+      before.inverse_sine = 1 / std::sin(before.angle);
+      before.inverse_length = 1 / (times[i] - times[i - 1]);
+    }
+    segments[i].key = key;
+  }
+}
+
 template <class Real>
 void eigen_slerp_sorted(const std::vector<double>& knots, const EigenRows<Real>& keys, const double* times,
                         size_t count, Real* out) {

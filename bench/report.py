@@ -33,6 +33,13 @@ AT_LEAST = [
     (Row("vector_cubic_f64", "sorted", "warm", 1000, 10**6), "loop", 2, 2),
     (Row("vector_sample_at_f64", "sorted", "warm", 1000, 10**4), "loop", 0.5, 0.5),
 ]
+# Few keys, in reused memory: the peer prepares slerp and nothing else.
+AT_LEAST += [
+    (Row("init_slerp_f64", "sorted", "warm", 16, 0), "eigen", 0.9, 0.55),
+    (Row("init_nlerp_f64", "sorted", "warm", 16, 0), "eigen", 1.2, 1.0),
+    (Row("init_squad_f64", "sorted", "warm", 64, 0), "eigen", 0.45, 0.25),
+    (Row("init_hermite_f64", "sorted", "warm", 64, 0), "eigen", 0.75, 0.5),
+]
 # Ratios to memory alone: at least 1 / (how many times its time).
 AT_LEAST += [
     (Row("slerp_f64", "sorted", "warm", 1000, 10**6), "bytes", 1 / 2, 1 / 2),
@@ -171,7 +178,7 @@ def main(out_path, *paths):
         out.write("# Results\n\n")
         out.write("Written by `bench/run.sh`. Ratio: time of the peer over ours, medians of interleaved repetitions on "
                   "one thread, in its CPU time, in one process on the same data; above 1 we are faster. Times are ns a "
-                  "sample (`create_...`: a key). K knots, M samples; times sorted and output written to before, where "
+                  "sample (`create_...`, `init_...`: a key). K knots, M samples; times sorted and output written to before, where "
                   "nothing else is said; `fresh`: output on new pages. `bytes` reads the times and writes as much "
                   "without computing anything. All peers are compiled with -O3 for the baseline of the architecture.\n\n")
         out.write(f"- Machine: {cpu_model()}, {first.context['num_cpus']} CPUs, {caches}\n")

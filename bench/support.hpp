@@ -221,5 +221,6 @@ void add_single();
 void add_construction();
 void add_vectors();
 void add_batches();
+void add_few_keys();
 
 }  // namespace bench
