@@ -12,18 +12,6 @@ struct SampleRow {
   Real q[4], omega[3], alpha[3];
 };
 
-// Calls `visit(k)` for each k below Count, unrolled. In a loop GCC 12 keeps the array in memory and merges a copy of
-// four doubles into one of 32 bytes, for which store forwarding fails: the 32-byte load cannot be forwarded from the
-// four 8-byte stores before it.
-template <class Visit, size_t... K>
-QTRAJ_INLINE void each_of(const Visit& visit, std::index_sequence<K...>) {
-  (visit(K), ...);
-}
-template <size_t Count, class Visit>
-QTRAJ_INLINE void each_of(const Visit& visit) {
-  each_of(visit, std::make_index_sequence<Count>());
-}
-
 template <class From, class Real, size_t Size>
 void write(const From (&from)[Size], Real* to, size_t row) {
   if (to) each_of<Size>([&](size_t k) { to[Size * row + k] = static_cast<Real>(from[k]); });

@@ -31,6 +31,20 @@ bool is_finite(const Input<Width>& array, size_t row) {
   return true;
 }
 
+template <class Real>
+bool are_finite(const Real* numbers, size_t count) {
+  bool finite = true;
+  for (size_t i = 0; i < count; ++i) finite &= is_finite(numbers[i]);  // no branch: many are checked at once
+  return finite;
+}
+// Rows from `first` to `end` of an array that has a row for each of them.
+template <size_t Width>
+bool are_finite(const Input<Width>& array, size_t first, size_t end) {
+  const size_t at = Width * first, count = Width * (end - first);
+  return array.is_float ? are_finite(static_cast<const float*>(array.data) + at, count)
+                        : are_finite(static_cast<const double*>(array.data) + at, count);
+}
+
 template <size_t Width>
 Row<Width> row_of(const Input<Width>& array, size_t row) {
   Row<Width> values;

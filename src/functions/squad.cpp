@@ -4,30 +4,18 @@
 #include "functions/pairs.hpp"
 #include "math/so3.hpp"
 #include "math/trigonometry.hpp"
+#include "rows/squad_segment.hpp"
 
 namespace qtraj {
 
 // ---- Controls ----
 
-namespace {
-
-// Of one component: chord rates before and after, and their CATMULL_ROM value.
-double resting_rate(double before, double after, double mean) {
-  if (!(before > 0 && after > 0) && !(before < 0 && after < 0)) return 0.0;
-  const double limit = 3.0 * std::min(std::abs(before), std::abs(after));
-  return std::min(std::max(mean, -limit), limit);
-}
-
-}  // namespace
-
 Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord& after) {
-  const Vector3 v_before = before.log / before.h, v_after = after.log / after.h;
-  if (rule == Tangent::mean_velocity) return 0.5 * v_before + 0.5 * v_after;
-  const IntervalShares shares = interval_shares(before.h, after.h);
-  const Vector3 mean = shares.right * v_before + shares.left * v_after;
-  if (rule != Tangent::rest) return mean;
-  return {resting_rate(v_before[0], v_after[0], mean[0]), resting_rate(v_before[1], v_after[1], mean[1]),
-          resting_rate(v_before[2], v_after[2], mean[2])};
+  double v_before[3], v_after[3], s[3];
+  store(Vector3(before.log / before.h), v_before);
+  store(Vector3(after.log / after.h), v_after);
+  rule_half_rate_of(rule, v_before, before.h, v_after, after.h, s);
+  return load(s);
 }
 
 Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord) {
@@ -41,15 +29,14 @@ Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord) {
   return (factor / chord.h) * x;
 }
 
-Quaternion control_offset_after(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord) {
-  return multiply(key, exp_map_minus_one(0.5 * (chord.h * half_rate - chord.log)));
-}
-
-Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord) {
-  return multiply(key, exp_map_minus_one(0.5 * (chord.log - chord.h * half_rate)));
-}
-
 namespace {
+
+Quaternion control_offset(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord, bool after) {
+  double q[4], s[3], log[3], offset[4];
+  store(key, q), store(half_rate, s), store(chord.log, log);
+  control_offset(q, s, log, chord.h, after, sin_cos_of<double>, offset);
+  return load(offset);
+}
 
 // A key as it was given.
 struct SquadKey {
@@ -103,7 +90,7 @@ struct SquadControls {
 SquadControls inner_controls(const Quaternion& key, const SquadChord& before, const SquadChord& after) {
   const Vector3 by_rule = rule_half_rate(Tangent::catmull_rom, before, after);
   const Vector3 half_rate = limited_half_rate(limited_half_rate(by_rule, before), after);
-  return {key + control_offset_after(key, half_rate, after), key + control_offset_before(key, half_rate, before)};
+  return {key + control_offset(key, half_rate, after, true), key + control_offset(key, half_rate, before, false)};
 }
 
 }  // namespace

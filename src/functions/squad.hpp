@@ -26,12 +26,6 @@ Vector3 rule_half_rate(Tangent rule, const SquadChord& before, const SquadChord&
 // s times the largest factor in [0, 1] with |factor h s - log| <= pi; past 2 pi the control would wrap. |log| up to pi.
 Vector3 limited_half_rate(const Vector3& s, const SquadChord& chord);
 
-// How far the controls of a key are from it, without cancellation:
-//   a - q = q (exp((h s - log)/2) - 1) with the chord after it,
-//   b - q = q (exp((log - h s)/2) - 1) with the chord before it.
-Quaternion control_offset_after(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord);
-Quaternion control_offset_before(const Quaternion& key, const Vector3& half_rate, const SquadChord& chord);
-
 // Controls a_i and b_i of all keys by the rule CATMULL_ROM with CHORD ends, the arcs between neighbours as their signs
 // give them; methods/squad.cpp states the formulas. times data may be null: uniform. The first key's b and the last
 // one's a, which no segment uses, are those keys, and so are, because of CHORD, the first one's a and the last one's b.

@@ -1,6 +1,6 @@
 #include "math/arc.hpp"
 
-#include "math/trigonometry.hpp"
+#include "math/chords.hpp"
 
 namespace qtraj {
 
@@ -12,18 +12,26 @@ Quaternion orthogonalized(const Quaternion& m, const Quaternion& e) {
   return rejection / length(rejection);
 }
 
+// The arc between ends that are opposite to 1e-6.
+Arc long_arc(const ChordsOf<double>& chords) {
+  const double half_angle = half_angle_of(chords);
+  const Quaternion e = load(chords.chord) / chords.length;
+  if (chords.opposite_length < kOpposite * chords.length) return {-multiply(e, Quaternion(0, 1, 0, 0)), e, half_angle};
+  // the rounding error of a short sum need not be orthogonal to the chord, and the arc would leave the sphere
+  const Quaternion m = load(chords.opposite) / chords.opposite_length;
+  return {orthogonalized(orthogonalized(m, e), e), e, half_angle};
+}
+
 }  // namespace
 
 Arc arc_between(const Quaternion& chord, const Quaternion& opposite_chord) {
-  const double chord_length = length(chord), opposite_length = length(opposite_chord);
-  const double half_angle = atan2(chord_length, opposite_length);
-  if (chord_length == 0) return {opposite_chord / opposite_length, Quaternion::Zero(), 0.0};
-  const Quaternion e = chord / chord_length;
-  if (opposite_length < kOpposite * chord_length) return {-multiply(e, Quaternion(0, 1, 0, 0)), e, half_angle};
-  const Quaternion m = opposite_chord / opposite_length;
-  // the rounding error of a short sum need not be orthogonal to the chord, and the arc would leave the sphere
-  const bool is_short = opposite_length < 1e-6 * chord_length;
-  return {is_short ? orthogonalized(orthogonalized(m, e), e) : m, e, half_angle};
+  ChordsOf<double> chords;
+  store(chord, chords.chord);
+  store(opposite_chord, chords.opposite);
+  measure_chords(chords);
+  if (is_nearly_opposite(chords)) return long_arc(chords);
+  const ArcOf<double> arc = arc_of(chords);
+  return {load(arc.m), load(arc.e), arc.half_angle};
 }
 
 }  // namespace qtraj

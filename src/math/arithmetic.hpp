@@ -80,6 +80,7 @@ inline float square_root(float x) { return __builtin_sqrtf(x); }
 
 inline double absolute(double a) { return __builtin_fabs(a); }
 inline double maximum(double a, double b) { return a < b ? b : a; }
+inline double minimum(double a, double b) { return b < a ? b : a; }
 inline double with_sign_of(double sign, double a) { return __builtin_copysign(a, sign); }
 
 // The coefficients of a polynomial of coefficients.hpp in the precision of its argument.
@@ -89,6 +90,18 @@ constexpr const auto& coefficients(Polynomial) {
     return Polynomial::kDouble;
   else
     return Polynomial::kFloat;
+}
+
+// Calls `visit(k)` for each k below Count, unrolled. In a loop GCC 12 keeps the array in memory and merges a copy of
+// four doubles into one of 32 bytes, for which store forwarding fails: the 32-byte load cannot be forwarded from the
+// four 8-byte stores before it.
+template <class Visit, size_t... K>
+QTRAJ_INLINE void each_of(const Visit& visit, std::index_sequence<K...>) {
+  (visit(K), ...);
+}
+template <size_t Count, class Visit>
+QTRAJ_INLINE void each_of(const Visit& visit) {
+  each_of(visit, std::make_index_sequence<Count>());
 }
 
 // c0 + c1 x + ... by Estrin's scheme: neighbouring terms are joined in pairs, these again with x^2, x^4, ... It takes

@@ -224,5 +224,37 @@ QTRAJ_INLINE void jacobian_of(const RateFactors<Number>& f, Number sideways, con
   }
 }
 
+// Jr^-1(r) w, of the same factors.
+template <class Number>
+QTRAJ_INLINE void inverse_jacobian_times(const RateFactors<Number>& f, const Number (&r)[3], const Number (&w)[3],
+                                         Number (&derivative)[3]) {
+  Number once[3], twice[3];
+  cross_product<Plain>(r, w, once);
+  cross_product<Plain>(r, once, twice);
+  const Number weight = Number(0.25) * f.d / f.k;
+  for (size_t k = 0; k < 3; ++k) derivative[k] = w[k] + Number(0.5) * once[k] + weight * twice[k];
+}
+
+// The Hamilton product a b.
+template <class Number>
+QTRAJ_INLINE void hamilton_product(const Number (&a)[4], const Number (&b)[4], Number (&product)[4]) {
+  product[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+  product[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
+  product[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
+  product[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
+}
+
+// exp v - 1 (math/so3.hpp). sin_cos(angle) is of angles from 0 on.
+template <class Number, class SinCosFunction>
+QTRAJ_INLINE void exponential_minus_one(const Number (&v)[3], const SinCosFunction& sin_cos, Number (&result)[4]) {
+  const Number zero(0.0), two(2.0);
+  const Number angle = square_root(dot_product<Plain>(v, v));
+  const auto turns = zero < angle;
+  const SinCosOf<Number> half = sin_cos(Number(0.5) * angle);
+  const Number factor = two * half.sin * half.cos / select(turns, angle, Number(1.0));
+  result[0] = select(turns, -two * half.sin * half.sin, zero);
+  for (size_t k = 0; k < 3; ++k) result[k + 1] = select(turns, factor * v[k], v[k]);
+}
+
 }  // namespace
 }  // namespace qtraj

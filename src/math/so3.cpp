@@ -30,10 +30,10 @@ Quaternion exp_map(const Vector3& v) {
 }
 
 Quaternion exp_map_minus_one(const Vector3& v) {
-  const double angle = length(v);
-  if (angle == 0) return quaternion(0.0, v);
-  const SinCos half = sin_cos(0.5 * angle);
-  return quaternion(-2.0 * half.sin * half.sin, (2.0 * half.sin * half.cos / angle) * v);
+  double vector[3], result[4];
+  store(v, vector);
+  exponential_minus_one(vector, sin_cos_of<double>, result);
+  return load(result);
 }
 
 RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b) {
@@ -42,6 +42,13 @@ RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion
   store(b.value, b_value), store(b.error, b_error);
   const RelativeRotationOf<double> rotation = relative_rotation_of(a_value, a_error, b_value, b_error);
   return {load(rotation.sin_part), rotation.angle};
+}
+
+Vector3 log_of(const RelativeRotation& rotation) {
+  double log[3];
+  half_angle_vector({{rotation.sin_part[0], rotation.sin_part[1], rotation.sin_part[2]}, rotation.angle},
+                    length(rotation.sin_part), log);
+  return load(log);
 }
 
 Vector3 relative_log(const UnitQuaternion& a, const UnitQuaternion& b) { return log_of(relative_rotation(a, b)); }
@@ -70,8 +77,11 @@ Vector3 right_jacobian(const RateFactors<double>& f, const Vector3& r, const Vec
 }
 
 Vector3 inverse_right_jacobian(const RateFactors<double>& f, const Vector3& r, const Vector3& w) {
-  const Vector3 once = cross(r, w);
-  return w + 0.5 * once + (0.25 * f.d / f.k) * cross(r, once);
+  double rotation[3], rate[3], derivative[3];
+  store(r, rotation);
+  store(w, rate);
+  inverse_jacobian_times(f, rotation, rate, derivative);
+  return load(derivative);
 }
 
 }  // namespace

@@ -22,11 +22,7 @@ struct RelativeRotation {
 RelativeRotation relative_rotation(const UnitQuaternion& a, const UnitQuaternion& b);
 
 // Its logarithm, the half-angle vector. Singular: 0 where sin_part is 0 and there is no axis.
-inline Vector3 log_of(const RelativeRotation& rotation) {
-  const double sine = length(rotation.sin_part);
-  if (sine == 0) return rotation.sin_part;
-  return (rotation.angle / sine) * rotation.sin_part;
-}
+Vector3 log_of(const RelativeRotation& rotation);
 
 // log(a* b), the half-angle vector along the arc that the signs give. Singular: 0 for b = a, and for b = -a, where
 // there is no axis.

@@ -89,18 +89,24 @@ struct SinCosOf {
   Number sin, cos;
 };
 
+// Of the angle high + low, |high| up to pi/4.
 template <class Number>
-QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
-  const Number zero(0.0), half(0.5), one(1.0), two(2.0), far(0x1p50);
-  const Number below = select(far < angle, far, angle);
-  const ReducedAngle<Number> reduced = reduce_angle(select(below < -far, -far, below));
-  const Number high = reduced.high, low = reduced.low;
-
+QTRAJ_INLINE SinCosOf<Number> sin_cos_of_eighth(Number high, Number low) {
+  const Number half(0.5), one(1.0);
   const Number y = high * high;
   const Number s = high + (high * terms_from(SincArc::kDouble, 1, y) + low);
   // 1 - y/2, its rounding error, and the small terms
   const Number leading = one - half * y;
-  const Number c = leading + (((one - leading) - half * y) + (terms_from(CosArc::kDouble, 2, y) - high * low));
+  return {s, leading + (((one - leading) - half * y) + (terms_from(CosArc::kDouble, 2, y) - high * low))};
+}
+
+template <class Number>
+QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
+  const Number zero(0.0), half(0.5), two(2.0), far(0x1p50);
+  const Number below = select(far < angle, far, angle);
+  const ReducedAngle<Number> reduced = reduce_angle(select(below < -far, -far, below));
+  const SinCosOf<Number> at = sin_cos_of_eighth(reduced.high, reduced.low);
+  const Number s = at.sin, c = at.cos;
 
   // the quarter, one of -2, -1, 0, 1, 2
   const Number quarter = reduced.quarters - Number(4.0) * round_to_integer(Number(0.25) * reduced.quarters);
@@ -108,6 +114,13 @@ QTRAJ_INLINE SinCosOf<Number> sin_cos_of(Number angle) {
   const auto is_none = squared < half, is_one = squared < two, is_back = quarter < zero;
   return {select(is_none, s, select(is_one, select(is_back, -c, c), -s)),
           select(is_none, c, select(is_one, select(is_back, s, -s), -c))};
+}
+
+// The same of angles from 0 to kNoQuarter, which there is nothing to reduce of: the same bits.
+constexpr double kNoQuarter = 0.785;
+template <class Number>
+QTRAJ_INLINE SinCosOf<Number> sin_cos_unreduced(Number angle) {
+  return sin_cos_of_eighth(angle, Number(0.0));
 }
 
 template <class Number>

@@ -8,25 +8,26 @@
 namespace qtraj {
 namespace {
 
-constexpr RowKernel<UnitKeyRows> kUnitKeyKernels[] = QTRAJ_OF_EACH_TARGET(unit_keys);
+constexpr RowKernel<CleanRows> kCleanKernels[] = QTRAJ_OF_EACH_TARGET(clean_keys);
 
-// `times` are the copies, which nobody writes to while they are looked at.
-Status check_keyframe(const KeyframeInput& input, const double* times, size_t key, bool is_ordinary) {
-  const bool finite =
-      is_finite(times[key]) && (is_ordinary || is_finite(input.q_wb, key)) &&
-      (!input.omega.data || is_finite(input.omega, key)) && (!input.alpha.data || is_finite(input.alpha, key)) &&
-      (!input.in_tangents.data || (is_finite(input.in_tangents, key) && is_finite(input.out_tangents, key)));
-  if (!finite) return Status::not_finite;
-  if (!is_ordinary && is_zero(input.q_wb, key)) return Status::zero_norm;
-  return check_knot(times, key);
+// The keys that the kernel cleans from `first` on. Returns how many.
+size_t clean_many(const KeyframeInput& input, size_t first, bool keeps_signs, const Keyframes& keys,
+                  KeyframeReport& report) {
+  return kCleanKernels[target()]({input.q_wb, keeps_signs, keys.q, keys.q_remainder, &report}, first, input.count);
 }
 
-// Makes keys unit from `first` on, as many as the kernel does, and returns how many. At most a block of them, which is
-// then still in the cache when signs are made continuous.
-size_t fill_units(const KeyframeInput& input, size_t first, Keyframes& keys, KeyframeReport& report) {
-  constexpr size_t kBlock = 128;
-  return kUnitKeyKernels[target()]({input.q_wb, keys.q, keys.q_remainder, &report.worst_norm_error}, first,
-                                   std::min(first + kBlock, input.count));
+// Whether the rates, or tangents, of keys from `first` to `end` are finite.
+bool has_finite_rates(const KeyframeInput& input, size_t first, size_t end) {
+  return (!input.omega.data || are_finite(input.omega, first, end)) &&
+         (!input.alpha.data || are_finite(input.alpha, first, end)) &&
+         (!input.in_tangents.data ||
+          (are_finite(input.in_tangents, first, end) && are_finite(input.out_tangents, first, end)));
+}
+
+// `times` are the copies, which nobody writes to while they are looked at.
+Status check_keyframe(const double* times, size_t key, bool rates_are_finite, Status of_orientation) {
+  if (!is_finite(times[key]) || !rates_are_finite) return Status::not_finite;
+  return of_orientation != Status::ok ? of_orientation : check_knot(times, key);
 }
 
 void fill_unit(const KeyframeInput& input, size_t key, Keyframes& keys, KeyframeReport& report) {
@@ -64,13 +65,21 @@ void Keyframes::set(size_t key, const UnitQuaternion& unit) {
 
 Outcome clean_keyframes(const KeyframeInput& input, bool keeps_signs, const Keyframes& keys, KeyframeReport& report) {
   Keyframes cleaned = keys;
-  size_t ordinary = 0;  // keys below this index are done, or were made unit by the kernel
+  size_t ordinary = 0;          // orientations below this index are done
+  bool are_all_finite = false;  // the rates at them
   for (size_t key = 0; key < input.count; ++key) {
-    if (key >= ordinary) ordinary = key + fill_units(input, key, cleaned, report);
+    if (key >= ordinary) {
+      ordinary = key + clean_many(input, key, keeps_signs, cleaned, report);
+      are_all_finite = has_finite_rates(input, key, ordinary);
+    }
+    const bool is_done = key < ordinary;
     cleaned.times[key] = input.times[key];
-    const Status status = check_keyframe(input, cleaned.times, key, key < ordinary);
+    const bool rates_are_finite = (is_done && are_all_finite) || has_finite_rates(input, key, key + 1);
+    const Status status =
+        check_keyframe(cleaned.times, key, rates_are_finite, is_done ? Status::ok : check_key(input.q_wb, key));
     if (status != Status::ok) return {status, key};
-    if (key >= ordinary) fill_unit(input, key, cleaned, report);
+    if (is_done) continue;
+    fill_unit(input, key, cleaned, report);
     if (key > 0) continue_sign(key, keeps_signs, cleaned, report);
   }
   return {};

@@ -5,6 +5,7 @@
 #include "base/status.hpp"
 #include "functions/for_each_row.hpp"
 #include "math/quaternion.hpp"
+#include "rows/arguments.hpp"
 
 namespace qtraj {
 
@@ -32,17 +33,11 @@ struct Keyframes {
   size_t count;
 
   UnitQuaternion operator[](size_t key) const { return {load(q[key]), load(q_remainder[key])}; }
+  KeyArrays arrays() const { return {times, q, q_remainder}; }
   void set(size_t key, const UnitQuaternion& unit);
   size_t segments() const { return count - 1; }
   // Length of a segment, s.
   double step(size_t segment) const { return times[segment + 1] - times[segment]; }
-};
-
-// What cleaning found; users see it through the getters.
-struct KeyframeReport {
-  size_t sign_flips = 0;
-  double worst_norm_error = 0;
-  double least_dot = 1;
 };
 
 // Checks all input and fills `keys` from 0 to input.count. On an error the lowest index at fault and,

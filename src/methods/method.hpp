@@ -16,7 +16,8 @@ struct Construction {
   double* workspace;  // MethodRow::workspace_per_key doubles a key
   void* segments;     // [keys.segments()] of the method's record
 
-  // Left by the builder: rates of the curve at the first and last knot, body frame, for CONSTANT_RATE.
+  // Left by the builder: rates of the curve at the first and last knot, body frame, for CONSTANT_RATE. Under other
+  // rules nobody asks for them.
   Vector3 omega_start = Vector3::Zero(), omega_end = Vector3::Zero();
   // Largest |p| of rotation-vector segments.
   ExponentRange range = ExponentRange::quarter_turn;
@@ -26,6 +27,14 @@ struct Construction {
   double residual = 0;
   // Whether a step makes whole turns, so that signs of keys are not those that cleaning left (methods/turns.hpp).
   bool has_turns = false;
+
+  // Sets the rates that are asked for to rate(key, segment), the first or the last ones.
+  template <class Rate>
+  void set_end_rates(const Rate& rate) {
+    const size_t last = keys.segments();
+    if (options.start.extrapolate == Extrapolate::constant_rate) omega_start = rate(0, 0);
+    if (options.end.extrapolate == Extrapolate::constant_rate) omega_end = rate(last, last - 1);
+  }
 };
 
 // Working space of builders, doubles a key.

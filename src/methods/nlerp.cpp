@@ -22,8 +22,7 @@ Outcome build_nlerp(Construction& construction) {
     store(0.5 * sum(from, to), segments[i].c[0]);
     store(0.5 * difference(to, from), segments[i].c[1]);
   }
-  construction.omega_start = end_rate(keys, 0);
-  construction.omega_end = end_rate(keys, keys.segments() - 1);
+  construction.set_end_rates([&](size_t, size_t segment) { return end_rate(keys, segment); });
   return {};
 }
 

@@ -4,10 +4,13 @@
 #include "methods/method.hpp"
 #include "methods/polynomials.hpp"
 #include "methods/turns.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 
 namespace {
+
+constexpr RowKernel<ArcRows> kArcKernels[] = QTRAJ_OF_EACH_TARGET(arcs);
 
 // Of arcs shorter than this the rate may be 0: half the least number, 2^-1075, times the longest interval, 2^1024.
 constexpr double kLeastArc = 0x1p-50;
@@ -20,6 +23,8 @@ Outcome build_slerp(Construction& construction) {
   const Keyframes& keys = construction.keys;
   auto* segments = static_cast<ArcSegment*>(construction.segments);
   for (size_t i = 0; i < keys.segments(); ++i) {
+    i += kArcKernels[target()]({keys.arrays(), segments}, i, keys.segments());
+    if (i == keys.segments()) break;
     const UnitQuaternion from = keys[i], to = keys[i + 1];
     const Arc arc = arc_between(difference(to, from), sum(from, to));
     segments[i].rate = 2.0 * arc.half_angle / keys.step(i);
@@ -29,8 +34,7 @@ Outcome build_slerp(Construction& construction) {
     store(arc.m, segments[i].m);
     store(arc.e, segments[i].e);
   }
-  construction.omega_start = chord_rate(keys, 0);
-  construction.omega_end = chord_rate(keys, keys.segments() - 1);
+  construction.set_end_rates([&](size_t, size_t segment) { return chord_rate(keys, segment); });
   return {};
 }
 

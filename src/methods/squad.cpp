@@ -2,13 +2,19 @@
 #include "functions/squad.hpp"
 
 #include "math/arc.hpp"
+#include "math/so3.hpp"
 #include "math/trigonometry.hpp"
 #include "methods/key_rates.hpp"
-#include "methods/key_rotations.hpp"
 #include "methods/method.hpp"
+#include "rows/squad_segment.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
+
+constexpr RowKernel<SquadRows> kChordKernels[] = QTRAJ_OF_EACH_TARGET(squad_chords),
+                               kHalfRateKernels[] = QTRAJ_OF_EACH_TARGET(squad_half_rates),
+                               kSegmentKernels[] = QTRAJ_OF_EACH_TARGET(squad_segments);
 
 // Working space: per key the half rate s_i, per segment the log L_i.
 struct Workspace {
@@ -18,6 +24,12 @@ struct Workspace {
 Workspace workspace_of(const Construction& construction) {
   auto* rows = reinterpret_cast<double(*)[3]>(construction.workspace);
   return {rows, rows + construction.keys.count};
+}
+
+SquadRows rows_of(const Construction& construction) {
+  const Workspace workspace = workspace_of(construction);
+  return {construction.keys.arrays(), construction.options.tangents, workspace.half_rate, workspace.log,
+          static_cast<NestedArcsSegment*>(construction.segments)};
 }
 
 // Whether the logarithm of a control would wrap at this rate: |h s - L| >= 2 pi.
@@ -32,10 +44,10 @@ class HalfRates {
   explicit HalfRates(const Construction& construction)
       : construction_(construction), keys_(construction.keys), workspace_(workspace_of(construction)) {}
 
-  // Fills the workspace for all keys.
+  // From the logs.
   Outcome fill() const {
-    for_each_log(keys_, [&](size_t segment, const Vector3& log) { store(log, workspace_.log[segment]); });
     for (size_t key = 0; key < keys_.count; ++key) {
+      key += fill_by_rule(key);
       Vector3 s;
       const Status status = half_rate(key, s);
       if (status != Status::ok) return {status, key};
@@ -45,6 +57,12 @@ class HalfRates {
   }
 
  private:
+  // The kernel does keys between two segments. Returns how many; the last key is never one of them.
+  size_t fill_by_rule(size_t key) const {
+    if (key == 0 || construction_.options.tangents == Tangent::given) return 0;
+    return kHalfRateKernels[target()](rows_of(construction_), key, keys_.segments());
+  }
+
   SquadChord chord(size_t segment) const { return {load(workspace_.log[segment]), keys_.step(segment)}; }
 
   // The segments on both sides of a key. Past an end a closed curve goes on with its other end, an open one has none.
@@ -102,28 +120,46 @@ class HalfRates {
   Workspace workspace_;
 };
 
-// Whether the arcs are close enough for the kernels' near form. The cosine of their distance at s in [-1, 1] has a
-// second derivative below (x + y)^2, x and y being their half angles: between the ends and the middle it stays within
-// an eighth of that of its chords.
-bool are_near(const Arc& outer, const Arc& inner, double cosine_at_start, double cosine_at_end) {
-  const double angles = outer.half_angle + inner.half_angle;
-  const double least = std::min({cosine_at_start, dot(outer.m, inner.m), cosine_at_end});
-  return inner.half_angle <= 0.25 * kPi && least - angles * angles / 8.0 >= 0.5;
+// ---- Segments ----
+
+ArcOf<double> arc_along(const ChordsOf<double>& chords) {
+  ArcOf<double> arc;
+  copy_arc(arc_between(load(chords.chord), load(chords.opposite)), arc);
+  return arc;
 }
 
-void store_arc(const Arc& arc, NestedArcsSegment::Arc& out) {
-  out.half_angle = arc.half_angle;
-  store(arc.m, out.m);
-  store(arc.e, out.e);
+ChordsOf<double> chords_of(const Keyframes& keys, size_t segment) {
+  return chords_between(keys.q[segment], keys.q_remainder[segment], keys.q[segment + 1], keys.q_remainder[segment + 1]);
 }
 
-// Fills NestedArcsSegment::relative, Im(P* C). `m_offset` is the part of the inner middle orthogonal to the outer one.
-void store_relative(const Arc& outer, const Arc& inner, const Quaternion& m_offset, double (&relative)[4][3]) {
-  const auto between = [](const Quaternion& a, const Quaternion& b) { return vector_part(multiply(conjugate(a), b)); };
-  store(between(outer.m, m_offset), relative[0]);
-  store(between(outer.m, inner.e), relative[1]);
-  store(between(outer.e, inner.m), relative[2]);
-  store(between(outer.e, inner.e), relative[3]);
+// The outer arcs and the logs.
+void set_chords(const Construction& construction) {
+  const Keyframes& keys = construction.keys;
+  const SquadRows rows = rows_of(construction);
+  for (size_t i = 0; i < keys.segments(); ++i) {
+    i += kChordKernels[target()](rows, i, keys.segments());
+    if (i == keys.segments()) break;
+    copy_arc(arc_along(chords_of(keys, i)), rows.segments[i].keys);
+    store(relative_log(keys[i], keys[i + 1]), rows.log[i]);
+  }
+}
+
+// All else.
+void set_segments(const Construction& construction) {
+  const Keyframes& keys = construction.keys;
+  const SquadRows rows = rows_of(construction);
+  for (size_t i = 0; i < keys.segments(); ++i) {
+    i += kSegmentKernels[target()](rows, i, keys.segments());
+    if (i == keys.segments()) break;
+    SquadEnds<double> ends;
+    store(keys[i].value, ends.from), store(keys[i + 1].value, ends.to);
+    ends.chords = chords_of(keys, i);
+    copy_arc(rows.segments[i].keys, ends.outer);
+    store(load(rows.log[i]), ends.log);
+    ends.h = keys.step(i);
+    store(load(rows.half_rate[i]), ends.start_rate), store(load(rows.half_rate[i + 1]), ends.end_rate);
+    set_squad_segment(ends, sin_cos_of<double>, arc_along, rows.segments[i]);
+  }
 }
 
 }  // namespace
@@ -138,41 +174,14 @@ void store_relative(const Arc& outer, const Arc& inner, const Quaternion& m_offs
 // The end rate is s_i only while |h s_i - L| < 2 pi; beyond, the logarithm of a control wraps. Tangents by a rule are
 // shortened to |h s_i - L| <= pi on both sides; given ones at or past 2 pi are rate_too_fast with the key's index.
 Outcome build_squad(Construction& construction) {
+  set_chords(construction);
   const HalfRates half_rates(construction);
   const Outcome outcome = half_rates.fill();
   if (outcome.status != Status::ok) return outcome;
-
-  const Keyframes& keys = construction.keys;
+  set_segments(construction);
   const Workspace workspace = workspace_of(construction);
-  auto* segments = static_cast<NestedArcsSegment*>(construction.segments);
-  for (size_t i = 0; i < keys.segments(); ++i) {
-    const SquadChord log_chord = {load(workspace.log[i]), keys.step(i)};
-    const UnitQuaternion from = keys[i], to = keys[i + 1];
-    const Quaternion chord = difference(to, from), opposite_chord = sum(from, to);
-
-    // the difference of the ends of the inner arc is formed from the controls' offsets to their keys: no cancellation
-    const Vector3 start_rate = load(workspace.half_rate[i]), end_rate = load(workspace.half_rate[i + 1]);
-    const Quaternion a_offset = control_offset_after(from.value, start_rate, log_chord);
-    const Quaternion b_offset = control_offset_before(to.value, end_rate, log_chord);
-
-    const Quaternion control_sum = a_offset + b_offset;
-    const Arc outer = arc_between(chord, opposite_chord);
-    const Arc inner = arc_between(chord + (b_offset - a_offset), opposite_chord + control_sum);
-    // controls are unit, so that their dot products with the keys are 1 - |offset|^2/2
-    const double cosine_at_start = 1.0 - 0.5 * dot(a_offset, a_offset),
-                 cosine_at_end = 1.0 - 0.5 * dot(b_offset, b_offset);
-    segments[i].scale = 2.0 / log_chord.h;
-    segments[i].near = are_near(outer, inner, cosine_at_start, cosine_at_end) ? 1.0 : 0.0;
-    store_arc(outer, segments[i].keys);
-    store_arc(inner, segments[i].controls);
-    // The sum of the keys is along the outer middle. The sum of the controls' offsets therefore gives the difference of
-    // the middles without cancellation on short arcs. On long arcs the inner middle itself is as good.
-    const bool is_short = inner.half_angle < 0.5;
-    const double inner_sum = length(Quaternion(opposite_chord + control_sum));
-    store_relative(outer, inner, is_short ? Quaternion(control_sum / inner_sum) : inner.m, segments[i].relative);
-  }
   construction.omega_start = 2.0 * load(workspace.half_rate[0]);
-  construction.omega_end = 2.0 * load(workspace.half_rate[keys.segments()]);
+  construction.omega_end = 2.0 * load(workspace.half_rate[construction.keys.segments()]);
   return {};
 }
 

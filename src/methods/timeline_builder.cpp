@@ -43,7 +43,8 @@ void build_timeline(const Options& options, bool holds_keys, Timeline& timeline)
   timeline.last_inside = options.wraps() || holds_keys ? before_last : last;
   timeline.half_period =
       options.period > 0 ? DoubleDouble{0.5 * options.period, 0.0} : two_sum(0.5 * last, -0.5 * first);
-  timeline.longest_gap = longest_interval(knots, count) > options.longest_gap ? options.longest_gap : kInfinity;
+  const bool has_gaps = options.longest_gap < kInfinity && longest_interval(knots, count) > options.longest_gap;
+  timeline.longest_gap = has_gaps ? options.longest_gap : kInfinity;
   auto* guide = reinterpret_cast<uint64_t*>(reinterpret_cast<char*>(&timeline) + timeline.guide_offset);
   build_guide(knots, count, guide, timeline.guide_scale, timeline.guide_candidates);
 }

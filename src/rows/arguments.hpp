@@ -8,6 +8,7 @@
 
 #include "base/array.hpp"
 #include "base/settings.hpp"
+#include "curve/segment.hpp"
 #include "math/block_sum.hpp"
 
 namespace qtraj {
@@ -55,12 +56,56 @@ struct ColumnsOfRows {
   Real* const* columns;  // [width]
 };
 
-// Keys made unit; worst_norm_error is raised to the largest distance of their lengths from 1.
-struct UnitKeyRows {
+// What cleaning of keyframes found; users see it through the getters.
+struct KeyframeReport {
+  size_t sign_flips = 0;
+  double worst_norm_error = 0;
+  double least_dot = 1;
+};
+
+// Keys made unit and, unless signs are kept, continuous in sign with the key before `first`, which is done. Two keys
+// half a turn apart are not ordinary.
+struct CleanRows {
   Input<4> q;
+  bool keeps_signs;
   double (*unit)[4];
   double (*unit_error)[4];  // rounding errors of unit
-  double* worst_norm_error;
+  KeyframeReport* report;
+};
+
+// The keys of a curve (methods/keyframes.hpp), for kernels over its segments: segment i lies between keys i and i + 1.
+struct KeyArrays {
+  const double* times;
+  const double (*q)[4];
+  const double (*q_error)[4];
+};
+
+// Arcs from key to key. Those between nearly opposite keys, and those whose rate would be 0, are not ordinary.
+struct ArcRows {
+  KeyArrays keys;
+  ArcSegment* segments;
+};
+
+// Cubics from key to key with given rates (HERMITE). Segments whose steps may make whole turns, whose keys are more
+// than half a turn apart or whose rates are extreme are not ordinary.
+struct HermiteRows {
+  KeyArrays keys;
+  Input<3> omega;
+  bool is_world;          // the frame of omega
+  bool turns_from_rates;  // as the rates say, or by none of them
+  double epsilon;         // of the type that keys came in
+  RotationVectorSegment<3>* segments;
+  double* bound;  // raised to that of |p| over the segments
+};
+
+// SQUAD in three passes (rows/squad.hpp): over segments the outer arcs and the logs, over keys the half rates by the
+// tangent rule, over segments all else.
+struct SquadRows {
+  KeyArrays keys;
+  Tangent rule;            // not GIVEN
+  double (*half_rate)[3];  // of keys
+  double (*log)[3];        // of segments
+  NestedArcsSegment* segments;
 };
 
 // Rotations from a to b, unit quaternions in double-double. All rows are ordinary.

@@ -54,12 +54,6 @@ QTRAJ_INLINE bool load_neighbours(const ContinuousRows& rows, size_t row, Number
   return true;
 }
 
-// The prefix parity: bit i of the result tells whether an odd number of the bits 0 .. i is set.
-inline unsigned parities(unsigned bits) {
-  for (unsigned shift = 1; shift < 8 * sizeof bits; shift *= 2) bits ^= bits << shift;
-  return bits;
-}
-
 template <class Real, class Number>
 QTRAJ_INLINE bool continue_rows(const ContinuousRows& rows, size_t row) {
   Number previous[4], q[4];
@@ -85,32 +79,6 @@ size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count) {
 }
 
 // ---- What constructors need of all keyframes.
-
-// Whether a component is not 0 but so small that two_product with it may not be exact. Vectors then get another error
-// than single rows, because they compute it by FMA where there is one and single rows never do.
-template <class Number>
-QTRAJ_INLINE bool has_tiny(const Number (&q)[4]) {
-  const Number zero(0.0), least(0x1p-440);
-  const auto is_tiny = [&](Number component) {
-    const Number magnitude = absolute(component);
-    return (zero < magnitude) & (magnitude < least);
-  };
-  return any((is_tiny(q[0]) | is_tiny(q[1])) | (is_tiny(q[2]) | is_tiny(q[3])));
-}
-
-template <class Number>
-size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count) {
-  return do_rows_for_largest<Number>(rows.q.is_float, first, count, *rows.worst_norm_error,
-                                     [&](size_t row, Number& worst, auto real) {
-                                       Number q[4];
-                                       if (!load_own_rows<decltype(real)>(rows.q, row, q) || has_tiny(q)) return false;
-                                       const UnitOf<Number> unit = unit_of(q);
-                                       store_rows(unit.value, rows.unit[0], row);
-                                       store_rows(unit.error, rows.unit_error[0], row);
-                                       worst = maximum(worst, absolute(unit.length.value - Number(1.0)));
-                                       return true;
-                                     });
-}
 
 template <class Number>
 size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count) {

@@ -20,9 +20,18 @@ constexpr size_t kLanesOf = 1;
 QTRAJ_INLINE unsigned lane_bits(bool condition) { return condition ? 1 : 0; }
 QTRAJ_INLINE bool lanes_of(unsigned bits, double) { return bits != 0; }
 
+// The prefix parity: bit i of the result tells whether an odd number of the bits 0 .. i is set.
+inline unsigned parities(unsigned bits) {
+  for (unsigned shift = 1; shift < 8 * sizeof bits; shift *= 2) bits ^= bits << shift;
+  return bits;
+}
+
 // Loads from and stores to an array, one number per lane.
 QTRAJ_INLINE double load_lanes(const double* from, double) { return *from; }
 QTRAJ_INLINE void store_lanes(double a, double* to) { *to = a; }
+
+// The lanes moved up by one, and a number in the first.
+QTRAJ_INLINE double preceded_by(double first, double) { return first; }
 
 // The largest of the lanes.
 template <class Number>
@@ -90,6 +99,15 @@ QTRAJ_INLINE bool can_convert(const float* from, size_t row, const double (&)[Wi
   bool finite = true;
   for (size_t k = 0; k < Width; ++k) finite = finite && is_finite(from[Width * row + k]);
   return finite;
+}
+
+// Stores rows `stride` numbers from one to the next.
+QTRAJ_INLINE void store_rows_apart(const double (&from)[4], double* to, size_t) { store_rows(from, to, 0); }
+
+// Loads the fields of one record per lane.
+template <size_t Fields>
+QTRAJ_INLINE void load_records(const double* const (&records)[1], double (&fields)[Fields]) {
+  for (size_t k = 0; k < Fields; ++k) fields[k] = records[0][k];
 }
 
 // Whether one row is broadcast to all rows of a call.

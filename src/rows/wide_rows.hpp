@@ -24,6 +24,13 @@ QTRAJ_INLINE WideMask<double> lanes_of(unsigned bits, Wide<double>) {
 QTRAJ_INLINE Wide<double> load_lanes(const double* from, Wide<double>) { return Wide<double>::load(from); }
 QTRAJ_INLINE void store_lanes(Wide<double> a, double* to) { a.store(to); }
 
+QTRAJ_INLINE Wide<double> preceded_by(double first, Wide<double> a) {
+  const Wide<double>::Tag tag;
+  alignas(64) static constexpr int64_t kBefore[] = {0, 0, 1, 2, 3, 4, 5, 6};
+  const auto moved = hn::TableLookupLanes(a.lanes, hn::SetTableIndices(tag, kBefore));
+  return select(lanes_of(1u, a), Wide<double>(first), Wide<double>::of(moved));
+}
+
 // A vector with as many floats as Wide<double> has lanes.
 using FloatTag = hn::Rebind<float, Wide<double>::Tag>;
 
@@ -95,6 +102,29 @@ QTRAJ_INLINE void store_rows(const Wide<double> (&from)[3], float* to, size_t ro
 QTRAJ_INLINE void store_rows(const Wide<double> (&from)[4], float* to, size_t row) {
   hn::StoreInterleaved4(demoted(from[0]), demoted(from[1]), demoted(from[2]), demoted(from[3]), FloatTag(),
                         to + 4 * row);
+}
+
+QTRAJ_INLINE void store_rows_apart(const Wide<double> (&from)[4], double* to, size_t stride) {
+#if HWY_TARGET == HWY_AVX3
+  // each vector in memory is two rows
+  static constexpr LaneTable<double> kLower = alternating<double>(0, 1), kUpper = alternating<double>(4, 1);
+  static constexpr LaneTable<double> kLowerPairs = alternating<double>(0, 2), kUpperPairs = alternating<double>(4, 2);
+  const Wide<double> lower01 = pick(from[0], kLower, from[1]), lower23 = pick(from[2], kLower, from[3]);
+  const Wide<double> upper01 = pick(from[0], kUpper, from[1]), upper23 = pick(from[2], kUpper, from[3]);
+  const auto store_two = [&](Wide<double> rows, size_t first) {
+    _mm256_storeu_pd(to + stride * first, _mm512_castpd512_pd256(rows.lanes.raw));
+    _mm256_storeu_pd(to + stride * (first + 1), _mm512_extractf64x4_pd(rows.lanes.raw, 1));
+  };
+  store_two(pick(lower01, kLowerPairs, lower23), 0);
+  store_two(pick(lower01, kUpperPairs, lower23), 2);
+  store_two(pick(upper01, kLowerPairs, upper23), 4);
+  store_two(pick(upper01, kUpperPairs, upper23), 6);
+#else
+  double rows[Wide<double>::kLanes][4];
+  store_rows(from, rows[0], 0);
+  for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane)
+    std::memcpy(to + stride * lane, rows[lane], sizeof rows[0]);
+#endif
 }
 
 // ---- Bits of doubles ----

@@ -87,6 +87,10 @@ QTRAJ_INLINE Wide<Real> operator*(Wide<Real> a, Wide<Real> b) {
   return Wide<Real>::of(hn::Mul(a.lanes, b.lanes));
 }
 template <class Real>
+QTRAJ_INLINE Wide<Real> operator*(Real a, Wide<Real> b) {
+  return Wide<Real>(a) * b;
+}
+template <class Real>
 QTRAJ_INLINE Wide<Real> operator/(Wide<Real> a, Wide<Real> b) {
   return Wide<Real>::of(hn::Div(a.lanes, b.lanes));
 }
@@ -121,6 +125,10 @@ QTRAJ_INLINE Wide<Real> absolute(Wide<Real> a) {
 template <class Real>
 QTRAJ_INLINE Wide<Real> maximum(Wide<Real> a, Wide<Real> b) {
   return Wide<Real>::of(hn::Max(a.lanes, b.lanes));
+}
+template <class Real>
+QTRAJ_INLINE Wide<Real> minimum(Wide<Real> a, Wide<Real> b) {
+  return Wide<Real>::of(hn::Min(a.lanes, b.lanes));
 }
 template <class Real>
 QTRAJ_INLINE Wide<Real> with_sign_of(Wide<Real> sign, Wide<Real> a) {

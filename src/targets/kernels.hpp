@@ -28,7 +28,12 @@ namespace qtraj {
   size_t rows_from_columns(const RowsOfColumns<float>& table, size_t count);               \
   size_t columns_from_rows(const ColumnsOfRows<double>& table, size_t count);              \
   size_t columns_from_rows(const ColumnsOfRows<float>& table, size_t count);               \
-  size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count);                   \
+  size_t clean_keys(const CleanRows& rows, size_t first, size_t count);                    \
+  size_t arcs(const ArcRows& rows, size_t first, size_t count);                            \
+  size_t hermite(const HermiteRows& rows, size_t first, size_t count);                     \
+  size_t squad_chords(const SquadRows& rows, size_t first, size_t count);                  \
+  size_t squad_half_rates(const SquadRows& rows, size_t first, size_t count);              \
+  size_t squad_segments(const SquadRows& rows, size_t first, size_t count);                \
   size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count); \
   size_t jacobians(const JacobianRecords& records, size_t first, size_t count);            \
   size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count);             \

@@ -18,10 +18,6 @@ size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count) {
   return run_rows<qtraj::make_continuous<Number>, QTRAJ_SCALAR::make_continuous>(rows, first, count);
 }
 
-size_t unit_keys(const UnitKeyRows& rows, size_t first, size_t count) {
-  return run_rows<qtraj::unit_keys<Number>, QTRAJ_SCALAR::unit_keys>(rows, first, count);
-}
-
 size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count) {
   return run_rows<qtraj::relative_rotations<Number>, QTRAJ_SCALAR::relative_rotations>(rows, first, count);
 }
