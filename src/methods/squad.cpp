@@ -45,7 +45,7 @@ class HalfRates {
       : construction_(construction), keys_(construction.keys), workspace_(workspace_of(construction)) {}
 
   // From the logs.
-  Outcome fill() const {
+  QTRAJ_NOINLINE Outcome fill() const {
     for (size_t key = 0; key < keys_.count; ++key) {
       key += fill_by_rule(key);
       Vector3 s;
@@ -133,7 +133,7 @@ ChordsOf<double> chords_of(const Keyframes& keys, size_t segment) {
 }
 
 // The outer arcs and the logs.
-void set_chords(const Construction& construction) {
+QTRAJ_NOINLINE void set_chords(const Construction& construction) {
   const Keyframes& keys = construction.keys;
   const SquadRows rows = rows_of(construction);
   for (size_t i = 0; i < keys.segments(); ++i) {
@@ -144,21 +144,24 @@ void set_chords(const Construction& construction) {
   }
 }
 
-// All else.
+// One segment but for its outer arc and log. Not inlined: its stack would come on top of the kernel's.
+QTRAJ_NOINLINE void set_segment(const Keyframes& keys, const SquadRows& rows, size_t i) {
+  SquadEnds<double> ends;
+  store(keys[i].value, ends.from), store(keys[i + 1].value, ends.to);
+  ends.chords = chords_of(keys, i);
+  copy_arc(rows.segments[i].keys, ends.outer);
+  store(load(rows.log[i]), ends.log);
+  ends.h = keys.step(i);
+  store(load(rows.half_rate[i]), ends.start_rate), store(load(rows.half_rate[i + 1]), ends.end_rate);
+  set_squad_segment(ends, sin_cos_of<double>, arc_along, rows.segments[i]);
+}
+
 void set_segments(const Construction& construction) {
   const Keyframes& keys = construction.keys;
   const SquadRows rows = rows_of(construction);
   for (size_t i = 0; i < keys.segments(); ++i) {
     i += kSegmentKernels[target()](rows, i, keys.segments());
-    if (i == keys.segments()) break;
-    SquadEnds<double> ends;
-    store(keys[i].value, ends.from), store(keys[i + 1].value, ends.to);
-    ends.chords = chords_of(keys, i);
-    copy_arc(rows.segments[i].keys, ends.outer);
-    store(load(rows.log[i]), ends.log);
-    ends.h = keys.step(i);
-    store(load(rows.half_rate[i]), ends.start_rate), store(load(rows.half_rate[i + 1]), ends.end_rate);
-    set_squad_segment(ends, sin_cos_of<double>, arc_along, rows.segments[i]);
+    if (i < keys.segments()) set_segment(keys, rows, i);
   }
 }
 

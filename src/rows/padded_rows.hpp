@@ -39,7 +39,7 @@ QTRAJ_NOINLINE void copy_padded(const Real* from, size_t lanes, Real* copy) {
     std::memcpy(copy + Width * lane, from + Width * (lane < lanes ? lane : lanes - 1), Width * sizeof(Real));
 }
 template <class Number, size_t Width, class Real>
-QTRAJ_INLINE const Real* padded(const Real* from, size_t lanes, Real (&copy)[kLanesOf<Number> * Width]) {
+QTRAJ_INLINE const Real* padded(const Real* from, size_t lanes, Real* copy) {
   if (lanes == kLanesOf<Number>) return from;
   copy_padded<Number, Width>(from, lanes, copy);
   return copy;
@@ -118,9 +118,11 @@ QTRAJ_INLINE void store_fields(const Number (&fields)[Fields], double* to, size_
   };
   if (lanes == kLanesOf<Number>)
     return for_each_group([&](auto& four, size_t group) { store_rows_apart(four, to + first_of(group), stride); });
-  double rows[kGroups][kLanesOf<Number>][4];
-  for_each_group([&](auto& four, size_t group) { store_rows(four, rows[group][0], 0); });
-  for (size_t group = 0; group < kGroups; ++group) copy_apart(rows[group], lanes, to + first_of(group), stride);
+  for_each_group([&](auto& four, size_t group) {
+    double rows[kLanesOf<Number>][4];
+    store_rows(four, rows[0], 0);
+    copy_apart(rows, lanes, to + first_of(group), stride);
+  });
 }
 
 }  // namespace

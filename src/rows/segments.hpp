@@ -30,10 +30,14 @@ struct SegmentEnds {
 };
 template <class Number>
 QTRAJ_INLINE void load_ends(const KeyArrays& keys, size_t row, size_t lanes, SegmentEnds<Number>& ends) {
-  load_padded(keys.q[row], lanes, ends.from);
-  load_padded(keys.q_error[row], lanes, ends.from_error);
-  load_padded(keys.q[row + 1], lanes, ends.to);
-  load_padded(keys.q_error[row + 1], lanes, ends.to_error);
+  double copy[kLanesOf<Number> * 4];  // one for all: stack
+  const auto load = [&](const double(&from)[4], Number(&to)[4]) {
+    convert_rows(padded<Number, 4>(from, lanes, copy), 0, to);
+  };
+  load(keys.q[row], ends.from);
+  load(keys.q_error[row], ends.from_error);
+  load(keys.q[row + 1], ends.to);
+  load(keys.q_error[row + 1], ends.to_error);
   ends.h = load_padded(keys.times + row + 1, lanes, Number()) - load_padded(keys.times + row, lanes, Number());
 }
 template <class Number>

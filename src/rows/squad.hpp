@@ -40,6 +40,7 @@ QTRAJ_INLINE size_t squad_half_rate_rows(const SquadRows& rows, size_t key, size
   constexpr double kShort = 0x1p-200, kLong = 0x1p200;
   const double* times = rows.keys.times + key;
   const double last_h = times[0] - times[-1];
+  if (last_h < kShort || kLong < last_h) return 0;
   const Number given_h = load_padded(times + 1, lanes, Number()) - load_padded(times, lanes, Number());
   const auto is_extreme_length = (given_h < Number(kShort)) | (Number(kLong) < given_h);
   const Number h = select(is_extreme_length, Number(1.0), given_h), h_before = preceded_by(last_h, h);
