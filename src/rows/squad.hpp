@@ -62,16 +62,22 @@ QTRAJ_INLINE size_t squad_half_rate_rows(const SquadRows& rows, size_t key, size
 
 template <class Number>
 QTRAJ_INLINE size_t squad_segment_rows(const SquadRows& rows, size_t row, size_t lanes) {
-  SegmentEnds<Number> keys;
-  load_ends(rows.keys, row, lanes, keys);
   SquadEnds<Number> ends;
-  for (size_t k = 0; k < 4; ++k) ends.from[k] = keys.from[k], ends.to[k] = keys.to[k];
-  ends.chords = chords_of(keys);
-  ends.h = keys.h;
+  {
+    SegmentEnds<Number> keys;
+    load_ends(rows.keys, row, lanes, keys);
+    for (size_t k = 0; k < 4; ++k) ends.from[k] = keys.from[k], ends.to[k] = keys.to[k];
+    ends.chords = chords_of(keys);
+    ends.h = keys.h;
+  }
   load_fields(&rows.segments[row].keys.half_angle, kFieldsOf<NestedArcsSegment>, lanes, fields_of<Number>(ends.outer));
-  load_padded(rows.log[row], lanes, ends.log);
-  load_padded(rows.half_rate[row], lanes, ends.start_rate);
-  load_padded(rows.half_rate[row + 1], lanes, ends.end_rate);
+  double copy[kLanesOf<Number> * 3];  // one for all: stack
+  const auto load = [&](const double(&from)[3], Number(&to)[3]) {
+    convert_rows(padded<Number, 3>(from, lanes, copy), 0, to);
+  };
+  load(rows.log[row], ends.log);
+  load(rows.half_rate[row], ends.start_rate);
+  load(rows.half_rate[row + 1], ends.end_rate);
 
   auto is_special = is_nearly_opposite(ends.chords);
   NestedArcsSegmentOf<Number> segment;
