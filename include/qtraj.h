@@ -1355,8 +1355,8 @@ QTRAJ_API qtraj_status qtraj_curve_total_angle(const qtraj_trajectory* trajector
 /** @defgroup qtraj-vector-curves Vector curves
  * Curves of vectors of any length, such as positions, beside a trajectory or alone. Knots, order of times, gaps, ends,
  * loops, extrapolation and statuses are those of trajectories; options are made with a qtraj_vector_method_value. Each
- * component is a curve of its own; at a knot it is the key, at equal keys without slopes a constant. Sampling never
- * allocates, and has the same bits on every processor.
+ * component is a curve of its own; at a knot it is the key (but for 1e-300 of the largest one), at equal keys without
+ * slopes a constant. Sampling never allocates, and has the same bits on every processor.
  * @{ */
 
 /** Builds a vector curve through keys.

@@ -8,19 +8,22 @@
 
 #include "support/capi_handles.hpp"
 #include "support/catch.hpp"
+#include "support/vector_handles.hpp"
 
 using namespace capi;
 
 namespace {
 
 // A constant of each family that is passed.
-constexpr int32_t kOfEachFamily[] = {QTRAJ_SLERP,           QTRAJ_FRAME_WORLD,       QTRAJ_END_NATURAL,
-                                     QTRAJ_TANGENT_GIVEN,   QTRAJ_REFERENCE_MEAN,    QTRAJ_EXTRAPOLATE_HOLD,
-                                     QTRAJ_PATH_AS_GIVEN,   QTRAJ_CLASS_DONE,        QTRAJ_SQUAD,
-                                     QTRAJ_FRAME_BODY,      QTRAJ_END_PERIODIC,      QTRAJ_TANGENT_CATMULL_ROM,
-                                     QTRAJ_REFERENCE_FIRST, QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_PATH_SHORTEST};
+constexpr int32_t kOfEachFamily[] = {
+    QTRAJ_SLERP,           QTRAJ_FRAME_WORLD,       QTRAJ_END_NATURAL,   QTRAJ_TANGENT_GIVEN,
+    QTRAJ_REFERENCE_MEAN,  QTRAJ_EXTRAPOLATE_HOLD,  QTRAJ_PATH_AS_GIVEN, QTRAJ_CLASS_DONE,
+    QTRAJ_SQUAD,           QTRAJ_FRAME_BODY,        QTRAJ_END_PERIODIC,  QTRAJ_TANGENT_CATMULL_ROM,
+    QTRAJ_REFERENCE_FIRST, QTRAJ_EXTRAPOLATE_ERROR, QTRAJ_PATH_SHORTEST, QTRAJ_STEP,
+    QTRAJ_VECTOR_LINEAR,   QTRAJ_VECTOR_CUBIC};
 
 bool is_method(int32_t value) { return value < 100; }
+bool is_vector_method(int32_t value) { return value > 1000; }
 bool is_of_family(int32_t value, int32_t member) { return !is_method(value) && value / 100 == member / 100; }
 
 const double kTimes[2] = {0, 1}, kKeys[8] = {1, 0, 0, 0, 0.8, 0.6, 0, 0};
@@ -37,9 +40,18 @@ qtraj_options* make_settings(int32_t method) {
   return options;
 }
 
+qtraj_vector_curve* make_positions() {
+  const Options options(make_settings(QTRAJ_VECTOR_LINEAR));
+  qtraj_vector_curve* curve = nullptr;
+  REQUIRE(qtraj_vector_create(options.get(), kTimes, kKeys, nullptr, nullptr, 2, 3, &curve, nullptr) == QTRAJ_OK);
+  return curve;
+}
+
 TEST_CASE("C API: a constant in the place of another is VALUE, in every function that takes one", "[capi][misuse]") {
   const Trajectory curve(make_curve());
-  const Options squad(make_settings(QTRAJ_SQUAD)), log(make_settings(QTRAJ_LOG_SPLINE));
+  const VectorCurve positions(make_positions());
+  const Options squad(make_settings(QTRAJ_SQUAD)), log(make_settings(QTRAJ_LOG_SPLINE)),
+      cubic(make_settings(QTRAJ_VECTOR_CUBIC));
   double q[8], omega[6], value;
   const double fraction = 0.5, zero[3] = {0, 0, 0};
   for (const int32_t constant : kOfEachFamily) {
@@ -47,17 +59,23 @@ TEST_CASE("C API: a constant in the place of another is VALUE, in every function
     qtraj_trajectory* none;
     if (!is_method(constant)) CHECK(qtraj_create(constant, kTimes, kKeys, 2, &none, nullptr) == QTRAJ_E_VALUE);
     qtraj_options* no_options;
-    if (!is_method(constant)) CHECK(qtraj_options_create(constant, &no_options) == QTRAJ_E_VALUE);
+    if (!is_method(constant) && !is_vector_method(constant))
+      CHECK(qtraj_options_create(constant, &no_options) == QTRAJ_E_VALUE);
     if (!is_of_family(constant, QTRAJ_FRAME_BODY)) {
       CHECK(qtraj_sample_rates(curve.get(), constant, kTimes, 2, q, omega, nullptr, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_sample_rates_at(curve.get(), constant, 0.5, nullptr, q, omega, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_curve_jumps(curve.get(), constant, omega, nullptr) == QTRAJ_E_VALUE);
+      CHECK(qtraj_sample_poses(curve.get(), positions.get(), constant, kTimes, 2, q, nullptr, nullptr, omega, nullptr,
+                               nullptr, nullptr) == QTRAJ_E_VALUE);
+      CHECK(qtraj_sample_pose_at(curve.get(), positions.get(), constant, 0.5, nullptr, q, nullptr, nullptr, omega,
+                                 nullptr, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_estimate_omega(constant, kTimes, kKeys, 2, nullptr, omega, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_derivatives_from_rates(constant, kKeys, omega, nullptr, 1, q, nullptr, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_options_set_end_rates(squad.get(), constant, zero, zero) == QTRAJ_E_VALUE);
     }
     if (!is_of_family(constant, QTRAJ_END_CHORD)) {
       CHECK(qtraj_options_set_ends(squad.get(), constant, constant) == QTRAJ_E_VALUE);
+      CHECK(qtraj_options_set_ends(cubic.get(), constant, constant) == QTRAJ_E_VALUE);
       CHECK(qtraj_cubic_spline(kTimes, kTimes, 2, 1, constant, constant, &fraction, 1, &value, nullptr) ==
             QTRAJ_E_VALUE);
     }
@@ -65,8 +83,10 @@ TEST_CASE("C API: a constant in the place of another is VALUE, in every function
       CHECK(qtraj_options_set_tangents(squad.get(), constant) == QTRAJ_E_VALUE);
     if (!is_of_family(constant, QTRAJ_REFERENCE_FIRST))
       CHECK(qtraj_options_set_reference(log.get(), constant, nullptr) == QTRAJ_E_VALUE);
-    if (!is_of_family(constant, QTRAJ_EXTRAPOLATE_HOLD))
+    if (!is_of_family(constant, QTRAJ_EXTRAPOLATE_HOLD)) {
       CHECK(qtraj_options_set_extrapolation(squad.get(), constant, constant) == QTRAJ_E_VALUE);
+      CHECK(qtraj_options_set_extrapolation(cubic.get(), constant, constant) == QTRAJ_E_VALUE);
+    }
     if (!is_of_family(constant, QTRAJ_PATH_SHORTEST)) {
       CHECK(qtraj_slerp(kKeys, kKeys + 4, &fraction, 1, constant, q, nullptr) == QTRAJ_E_VALUE);
       CHECK(qtraj_slerp_between(kKeys, 0, kKeys + 4, 1, &fraction, 1, constant, q, nullptr) == QTRAJ_E_VALUE);

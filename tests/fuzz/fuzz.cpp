@@ -79,6 +79,8 @@ void run_case(uint64_t number) {
     Digests digests;
     if (source.one_in(10))
       fuzz_batch(source, digests);
+    else if (source.one_in(3))
+      fuzz_vectors(source, digests);
     else
       source.one_in(2) ? fuzz_curve(source, digests) : fuzz_arrays(source, digests);
     uint64_t& kind = of_kind[kernel.is_fused() ? 1 : 0];

@@ -258,10 +258,11 @@ void check_rows(const char* function, const Array<Real>& out, size_t width, qtra
   }
 }
 
-// Kinds of cases: functions over arrays, trajectories, and many of them in one call.
+// Kinds of cases: functions over arrays, trajectories, many of them in one call, and vector curves.
 void fuzz_arrays(Source& source, Digests& digests);
 void fuzz_batch(Source& source, Digests& digests);
 void fuzz_curve(Source& source, Digests& digests);
+void fuzz_vectors(Source& source, Digests& digests);
 
 }  // namespace fuzz
 

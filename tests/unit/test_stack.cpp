@@ -11,6 +11,7 @@
 #include "support/kernel_curves.hpp"
 #include "support/painted_stack.hpp"
 #include "support/row_functions.hpp"
+#include "support/vector_curve.hpp"
 
 using namespace capi;
 using test::Call;
@@ -355,6 +356,78 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
   });
 }
 
+// Vector curves of 3 components, and poses with them.
+void add_vectors(const VectorVariant& variant, const qtraj_trajectory* trajectory, Arrays& a,
+                 std::vector<NamedCall>& calls) {
+  struct Case {
+    Options options;
+    VectorKeys<double> keys;
+    VectorCurve curve;
+    std::vector<double> memory, times;
+  };
+  const auto c = std::make_shared<Case>();
+  c->options = vector_options(variant);
+  REQUIRE(qtraj_options_set_extrapolation(c->options.get(), QTRAJ_EXTRAPOLATE_CONSTANT_RATE,
+                                          QTRAJ_EXTRAPOLATE_CONSTANT_RATE) == QTRAJ_OK);
+  c->keys = vector_tour<double>(variant, kKeys, 3);
+  c->curve = must_build_vector(c->options.get(), c->keys);
+  size_t bytes = 0;
+  REQUIRE(qtraj_vector_init_size(c->options.get(), kKeys, 3, &bytes) == QTRAJ_OK);
+  c->memory.resize(bytes / sizeof(double) + 1);
+  const std::string name = "vectors " + variant.name;
+  const auto add = [&](const char* group, const char* what, const Call& call) {
+    calls.push_back({group, name + what, call});
+  };
+  add("constructors", "", [=] {
+    qtraj_vector_curve* out = nullptr;
+    qtraj_vector_init(c->memory.data(), c->memory.size() * sizeof(double), c->options.get(), c->keys.times.data(),
+                      c->keys.values.data(), c->keys.first_or_null(), c->keys.second_or_null(), kKeys, 3, &out,
+                      nullptr);
+  });
+  add("constructors", ", on the heap", [=] { build_vector(c->options.get(), c->keys); });
+  const qtraj_vector_curve* const v = c->curve.get();
+  for (const std::vector<double>* times : {&a.sorted, &a.scattered}) {
+    const double* at = times->data();
+    add("many samples", "",
+        [=, &a] { qtraj_vector_sample(v, at, kTimes, a.out.data(), a.second.data(), a.third.data(), nullptr); });
+    add("many samples", " alone",
+        [=, &a] { qtraj_vector_sample(v, at, kTimes, a.out.data(), nullptr, nullptr, nullptr); });
+    add("many samples", " of float", [=, &a] {
+      qtraj_vector_sample_f32(v, at, kTimes, a.out_f32.data(), a.second_f32.data(), a.third_f32.data(), nullptr);
+    });
+    add("many samples", ", poses", [=, &a] {
+      qtraj_sample_poses(trajectory, v, QTRAJ_FRAME_WORLD, at, kTimes, a.out.data(), a.second.data(), a.third.data(),
+                         a.out.data() + 4 * kTimes, a.second.data() + 4 * kTimes, a.third.data() + 4 * kTimes, nullptr);
+    });
+    add("many samples", ", poses of float", [=, &a] {
+      qtraj_sample_poses_f32(trajectory, v, QTRAJ_FRAME_BODY, at, kTimes, a.out_f32.data(), a.second_f32.data(),
+                             a.third_f32.data(), a.out_f32.data() + 4 * kTimes, a.second_f32.data() + 4 * kTimes,
+                             a.third_f32.data() + 4 * kTimes, nullptr);
+    });
+  }
+  for (const double time : {c->keys.times[3] + 0.01, c->keys.times.front() - 1, c->keys.times.back() + 1e5}) {
+    add("one sample", "",
+        [=, &a] { qtraj_vector_sample_at(v, time, nullptr, a.out.data(), a.second.data(), a.third.data()); });
+    add("one sample", " of float", [=, &a] {
+      qtraj_vector_sample_at_f32(v, time, nullptr, a.out_f32.data(), a.second_f32.data(), a.third_f32.data());
+    });
+    add("one sample", ", a pose", [=, &a] {
+      qtraj_sample_pose_at(trajectory, v, QTRAJ_FRAME_WORLD, time, nullptr, a.out.data(), a.second.data(),
+                           a.third.data(), a.out.data() + 4, a.second.data() + 3, a.third.data() + 3);
+    });
+    add("one sample", ", a pose of float", [=, &a] {
+      qtraj_sample_pose_at_f32(trajectory, v, QTRAJ_FRAME_BODY, time, nullptr, a.out_f32.data(), a.second_f32.data(),
+                               a.third_f32.data(), a.out_f32.data() + 4, a.second_f32.data() + 3,
+                               a.third_f32.data() + 3);
+    });
+  }
+  add("getters", "", [=, &a] { qtraj_vector_keys(v, a.out.data(), a.second.data()); });
+  add("getters", " count", [=] {
+    size_t count;
+    qtraj_vector_uniform_count(v, c->keys.times[0], 0.01, &count);
+  });
+}
+
 struct AllCalls {
   Arrays arrays;
   std::vector<test::KernelCurve> curves;
@@ -366,6 +439,9 @@ struct AllCalls {
     add_sampling_of_many(curves, arrays, calls);
     for (const Variant& variant : variants()) add_construction(variant, calls), add_batches(variant, calls);
     add_construction_with_turns(calls);
+    size_t next = 0;
+    for (const VectorVariant& variant : vector_variants())
+      add_vectors(variant, curves[next++ % curves.size()].get(), arrays, calls);
     add_rows(arrays, calls);
   }
 };
