@@ -13,6 +13,9 @@ namespace {
 constexpr size_t kSeriesRows = 32;
 
 struct LocatedRows {
+  SegmentKind kind;  // of all rows
+  ExponentRange range;
+  size_t segment_bytes;
   int64_t* records;  // addresses of segments
   double* elapsed;   // s since their start
   size_t count;
@@ -21,8 +24,7 @@ struct LocatedRows {
 };
 
 // The row of a time that is not in the segment `located.guess`.
-QTRAJ_NOINLINE void locate_elsewhere(const Trajectory& trajectory, double time, size_t segment_bytes,
-                                     LocatedRows& located) {
+QTRAJ_NOINLINE void locate_elsewhere(const Trajectory& trajectory, double time, LocatedRows& located) {
   size_t segment = 0;
   double elapsed = 0;
   bool has_value = is_finite(time) && is_inside(trajectory.timeline, time);
@@ -32,41 +34,40 @@ QTRAJ_NOINLINE void locate_elsewhere(const Trajectory& trajectory, double time, 
     elapsed = time - index.knots[segment];
     has_value = !is_gap(trajectory.timeline, index.knots, segment);
   }
-  located.records[located.count] = address_of(segments_of<char>(trajectory) + segment * segment_bytes);
+  located.records[located.count] = address_of(segments_of<char>(trajectory) + segment * located.segment_bytes);
   located.elapsed[located.count] = elapsed;
   located.again |= uint64_t{!has_value} << located.count;
 }
 
-// Looks up rows of the present stretch, until there are `most` or one has segments of another kind or range than
-// `like`. How many. A row whose time is in the segment found last takes two comparisons.
-QTRAJ_INLINE size_t locate_stretch(const SeriesWalk& walk, size_t most, const Trajectory& like, size_t segment_bytes,
-                                   LocatedRows& located) {
+// Looks up rows of the present stretch, until there are `most` or one has segments of another kind or range. How many.
+// A row whose time is in the segment found last takes two comparisons.
+QTRAJ_INLINE size_t locate_stretch(const SeriesWalk& walk, size_t most, LocatedRows& located) {
   const size_t stretch = walk.stretch() < most ? walk.stretch() : most;
   for (size_t i = 0; i < stretch; ++i, ++located.count) {
     const Trajectory& trajectory = walk.trajectory(i);
-    if (trajectory.kind != like.kind || trajectory.range != like.range) return i;
+    if (trajectory.kind != located.kind || trajectory.range != located.range) return i;
     const double time = walk.time(i);
     const size_t guess = located.guess;
     const double* const knots = knots_of(trajectory.timeline);
     if (is_finite(time) && guess + 1 < trajectory.timeline.key_count && knots[guess] <= time &&
         time < knots[guess + 1] && !is_gap(trajectory.timeline, knots, guess)) {
-      located.records[located.count] = address_of(segments_of<char>(trajectory) + guess * segment_bytes);
+      located.records[located.count] = address_of(segments_of<char>(trajectory) + guess * located.segment_bytes);
       located.elapsed[located.count] = time - knots[guess];
     } else {
-      locate_elsewhere(trajectory, time, segment_bytes, located);
+      locate_elsewhere(trajectory, time, located);
     }
   }
   return stretch;
 }
 
 // Looks up rows from the present one on, at most kSeriesRows, up to the first whose segments are of another kind or
-// range than `like`.
-QTRAJ_NOINLINE void locate_rows(SeriesWalk& walk, const Trajectory& like, size_t segment_bytes, LocatedRows& located) {
+// range.
+QTRAJ_NOINLINE void locate_rows(SeriesWalk& walk, LocatedRows& located) {
   const size_t most = walk.left() < kSeriesRows ? walk.left() : kSeriesRows;
   located.count = 0;
   located.again = 0;
   for (;;) {
-    const size_t rows = locate_stretch(walk, most - located.count, like, segment_bytes, located);
+    const size_t rows = locate_stretch(walk, most - located.count, located);
     if (rows == 0) return;
     walk.step(rows);
   }
@@ -84,32 +85,43 @@ QTRAJ_NOINLINE void sample_rows_again(SeriesWalk walk, size_t rows, uint64_t cho
   }
 }
 
-// Samples rows from the present one on, up to the first whose segments are of another kind or range.
-template <class Arithmetic, class Real, SampleAtFunction<Real> kSampleAt, class Evaluator, bool kWithRates>
-QTRAJ_NOINLINE void sample_alike(const Evaluator& evaluator, size_t count, SeriesWalk& walk,
+// The SegmentVectors of one evaluator, as a function: it samples located rows, of which the first is that row of the
+// outputs, and marks those to be done again.
+struct RowsInVectors {
+  size_t lanes;  // 0 where vectors do not pay
+  void* vectors;
+  void (*sample)(void* vectors, size_t first_row, LocatedRows& located);
+};
+
+QTRAJ_NOINLINE void mark_rows(const bool* marked, LocatedRows& located) {
+  for (size_t i = 0; i < located.count; ++i) located.again |= uint64_t{marked[i]} << i;
+}
+
+template <class Vectors>
+void sample_located(void* of_evaluator, size_t first_row, LocatedRows& located) {
+  Vectors& vectors = *static_cast<Vectors*>(of_evaluator);
+  vectors.begin(first_row);
+  vectors.sample_each({0, 1, located.records, nullptr}, 0, located.count);
+  if (vectors.has_marks()) mark_rows(vectors.marks(), located);
+}
+
+// Samples rows from the present one on, up to the first whose segments are of another kind or range. Of vectors that
+// are mostly empty the rows are faster one by one.
+template <class Real, SampleAtFunction<Real> kSampleAt>
+QTRAJ_NOINLINE void sample_alike(const RowsInVectors& in_vectors, LocatedRows& located, SeriesWalk& walk,
                                  const SampleOutputs<Real>& outputs, Outcome& outcome) {
-  using Vectors = SegmentVectors<Evaluator, Arithmetic, Real, kWithRates>;
-  constexpr size_t kLanes = Vectors::kLanes;
-  const Trajectory& like = walk.trajectory();
-  const TimeSource no_times = {nullptr, 0, 0};
-  const TimeReader reader(no_times, 0);
-  Vectors vectors(evaluator, reader, count, outputs);
-  int64_t records[kSeriesRows + kLanes];
-  LocatedRows located = {records, vectors.times().in_buffer(0), 0, 0, 0};
   while (walk.left() > 0) {
     const SeriesWalk first = walk;
-    locate_rows(walk, like, sizeof(typename Vectors::Segment), located);
+    locate_rows(walk, located);
     const size_t rows = located.count;
     if (rows == 0) return;
-    // so few rows are faster one by one
-    if (!Vectors::kScattersInVectors || 4 * rows < kLanes) located.again = ~uint64_t{0};
-    if (located.again != ~uint64_t{0}) {
-      for (size_t i = rows; i < rows + kLanes; ++i)
-        records[i] = records[rows - 1], located.elapsed[i] = located.elapsed[rows - 1];
-      vectors.begin(first.row());
-      vectors.sample_each({0, 1, records, nullptr}, 0, rows);
-      if (vectors.has_marks())
-        for (size_t i = 0; i < rows; ++i) located.again |= uint64_t{vectors.is_marked(i)} << i;
+    if (in_vectors.lanes == 0 || 4 * rows < in_vectors.lanes) {
+      located.again = ~uint64_t{0};
+    } else {
+      // whole vectors
+      for (size_t i = rows; i % in_vectors.lanes != 0; ++i)
+        located.records[i] = located.records[rows - 1], located.elapsed[i] = located.elapsed[rows - 1];
+      in_vectors.sample(in_vectors.vectors, first.row(), located);
     }
     if (located.again != 0) sample_rows_again<Real, kSampleAt>(first, rows, located.again, outputs, outcome);
   }
@@ -128,8 +140,22 @@ Outcome sample_series(const SeriesCall& call, const SampleOutputs<Real>& outputs
       continue;
     }
     with_evaluator_for<Arithmetic>(trajectory, outputs, [&](const auto& evaluator, auto with_rates) {
-      sample_alike<Arithmetic, Real, kSampleAt, std::decay_t<decltype(evaluator)>, decltype(with_rates)::value>(
-          evaluator, count, walk, outputs, outcome);
+      using Vectors = SegmentVectors<std::decay_t<decltype(evaluator)>, Arithmetic, Real, decltype(with_rates)::value>;
+      const TimeSource no_times = {nullptr, 0, 0};
+      const TimeReader reader(no_times, 0);
+      Vectors vectors(evaluator, reader, count, outputs);
+      int64_t records[kSeriesRows + Vectors::kLanes];
+      LocatedRows located = {trajectory.kind,
+                             trajectory.range,
+                             sizeof(typename Vectors::Segment),
+                             records,
+                             vectors.times().in_buffer(0),
+                             0,
+                             0,
+                             0};
+      const RowsInVectors in_vectors = {Vectors::kScattersInVectors ? Vectors::kLanes : 0, &vectors,
+                                        sample_located<Vectors>};
+      sample_alike<Real, kSampleAt>(in_vectors, located, walk, outputs, outcome);
     });
   }
   return outcome;

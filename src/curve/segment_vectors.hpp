@@ -105,6 +105,7 @@ class SegmentVectors {
   }
   bool has_marks() const { return has_marks_; }
   bool is_marked(size_t i) const { return has_marks_ && marked_[i]; }
+  const bool* marks() const { return marked_; }  // where there are any
 
  private:
   using WideSegment = typename Evaluator::template SegmentOf<Wide<Real>>;
