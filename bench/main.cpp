@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
   bench::add_pairs();
   bench::add_means();
   bench::add_single();
+  bench::add_rigs();
+  bench::add_tables();
   bench::add_construction();
   bench::add_vectors();
   bench::add_batches();

@@ -32,6 +32,17 @@ AT_LEAST = [
     (Row("vector_cubic_f64", "sorted", "warm", 1000, 10**6), "scipy", 10, 10),
     (Row("vector_cubic_f64", "sorted", "warm", 1000, 10**6), "loop", 2, 2),
     (Row("vector_sample_at_f64", "sorted", "warm", 1000, 10**4), "loop", 0.5, 0.5),
+    (Row("rig_slerp_f64", "sorted", "warm", 25, 20), "calls", 5, 5),
+    (Row("rig_squad_f64", "sorted", "warm", 25, 20), "calls", 4, 3),
+    (Row("rig_rotation_spline_f64", "sorted", "warm", 25, 20), "calls", 5, 4),
+    (Row("rig_rates_rotation_spline_f64", "sorted", "warm", 25, 20), "cursors", 4, 3),
+    (Row("rig_slerp_f64", "sorted", "warm", 25, 200000), "calls", 1, 1),
+    (Row("rig_rotation_spline_f64", "sorted", "warm", 25, 200000), "calls", 1, 1),
+    (Row("rig_by_time_slerp_f64", "sorted", "warm", 25, 200000), "calls", 1, 1),
+    (Row("rig_by_time_rotation_spline_f64", "sorted", "warm", 25, 200000), "calls", 1, 1),
+    (Row("rows_from_columns_3_f64", "sorted", "warm", 0, 1000), "memcpy", 1 / 1.5, 1 / 1.5),
+    (Row("rows_from_columns_4_f64", "sorted", "warm", 0, 1000), "memcpy", 1 / 1.5, 1 / 1.5),
+    (Row("columns_from_rows_4_f64", "sorted", "warm", 0, 1000), "loop", 1.5, 1.5),
 ]
 # Few keys, in reused memory: the peer prepares slerp and nothing else.
 AT_LEAST += [

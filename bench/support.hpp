@@ -218,6 +218,8 @@ void add_splines();
 void add_pairs();
 void add_means();
 void add_single();
+void add_rigs();
+void add_tables();
 void add_construction();
 void add_vectors();
 void add_batches();
