@@ -1,9 +1,9 @@
 /** @file qtraj.h
  * Smooth orientation trajectories through quaternion keyframes.
  *
- * Twins whose names end in _f32 exist for what moves keyframes and samples in bulk: construction, sampling, slerp, nlerp
- * and screw motions, keys, tables, rotate, means. They read and write float; times, settings and scalar results stay
- * double; sums are taken in double.
+ * Twins whose names end in _f32 exist for what moves keyframes and samples in bulk: construction, sampling, slerp,
+ * nlerp and screw motions, keys, tables, rotate, means. They read and write float; times, settings and scalar results
+ * stay double; sums are taken in double.
  *
  * @par Conventions
  *   Hamilton product, right-handed, q = w x y z; q_wb takes body vectors to world, v_world = q v_body q^-1; q and -q
@@ -2562,20 +2562,19 @@ QTRAJ_API qtraj_status qtraj_xyzw_from_wxyz_f32(const float* q, size_t count, fl
  * @param width     number of columns; where it is 0 nothing is done
  * @param count     length of the columns; where it is 0 nothing is done
  * @param rows_out  [count][width]
- * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (with a column, or with
- *   columns): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of rows_out
+ *   with columns or one of them): nothing is written */
 QTRAJ_API qtraj_status qtraj_rows_from_columns(const double* const* columns, size_t width, size_t count,
                                                double* rows_out);
 
-/** Columns to rows of float, as many as you like: values are only moved, whatever their bits: twin of
- * qtraj_rows_from_columns().
+/** Columns to rows of float, values only moved: twin of qtraj_rows_from_columns().
  *
  * @param columns   [width], each [count]; they may overlap each other
  * @param width     number of columns; where it is 0 nothing is done
  * @param count     length of the columns; where it is 0 nothing is done
  * @param rows_out  [count][width]
- * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (with a column, or with
- *   columns): nothing is written */
+ * @return QTRAJ_OK, or QTRAJ_E_NULL (also one of the columns), QTRAJ_E_SIZE, QTRAJ_E_OVERLAP (of rows_out
+ *   with columns or one of them): nothing is written */
 QTRAJ_API qtraj_status qtraj_rows_from_columns_f32(const float* const* columns, size_t width, size_t count,
                                                    float* rows_out);
 
@@ -2589,8 +2588,7 @@ QTRAJ_API qtraj_status qtraj_rows_from_columns_f32(const float* const* columns, 
 QTRAJ_API qtraj_status qtraj_columns_from_rows(const double* rows, size_t width, size_t count,
                                                double* const* columns_out);
 
-/** Rows to columns of float, as many as you like: values are only moved, whatever their bits: twin of
- * qtraj_columns_from_rows().
+/** Rows to columns of float, values only moved: twin of qtraj_columns_from_rows().
  *
  * @param rows         [count][width]
  * @param width        number of columns; where it is 0 nothing is done

@@ -271,6 +271,19 @@ void add_rows(Arrays& a, std::vector<NamedCall>& calls) {
   add("rows", "wxyz_from_xyzw of float", [&] { qtraj_wxyz_from_xyzw_f32(a.q_f32.data(), kTimes, a.out_f32.data()); });
   add("rows", "xyzw_from_wxyz", [&] { qtraj_xyzw_from_wxyz(a.q.data(), kTimes, a.out.data()); });
   add("rows", "xyzw_from_wxyz of float", [&] { qtraj_xyzw_from_wxyz_f32(a.q_f32.data(), kTimes, a.out_f32.data()); });
+  const auto tables = [&](const char* name, auto to_rows, auto to_columns, auto columns, auto rows) {
+    for (const size_t width : {size_t{3}, size_t{4}, size_t{9}})
+      add("rows", name, [=] {
+        constexpr size_t kRows = kTimes / 9;
+        std::remove_const_t<std::remove_pointer_t<decltype(rows)>>* each[9];
+        for (size_t k = 0; k < 9; ++k) each[k] = columns + kRows * k;
+        to_rows(each, width, kRows, rows);
+        to_columns(rows, width, kRows, each);
+      });
+  };
+  tables("tables", qtraj_rows_from_columns, qtraj_columns_from_rows, a.second.data(), a.out.data());
+  tables("tables of float", qtraj_rows_from_columns_f32, qtraj_columns_from_rows_f32, a.second_f32.data(),
+         a.out_f32.data());
   add("rows", "seconds_from_ns", [&] { qtraj_seconds_from_ns(a.ns.data(), kTimes, 7, a.out.data()); });
   add("rows", "even_times", [&] { qtraj_even_times(0, 1, kTimes, a.out.data()); });
 
