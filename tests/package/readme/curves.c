@@ -58,6 +58,26 @@ static void check_times(void) {
   qtraj_destroy(curve);
 }
 
+static void check_many_curves(void) {
+  const double at[2] = {0.3, 1.1};
+  const qtraj_trajectory* rig[2];
+  double by_curve[2][2][4], by_time[2][2][4], alone[2][4];
+  int curve, i;
+  rig[0] = build(QTRAJ_SLERP, count, times, keys);
+  rig[1] = build(QTRAJ_SQUAD, count, times, keys);
+  CHECK(
+      !qtraj_sample_many(rig, 2, QTRAJ_FRAME_BODY, at, 2, QTRAJ_LAYOUT_SERIES_FIRST, by_curve[0][0], NULL, NULL, NULL));
+  CHECK(!qtraj_sample_many(rig, 2, QTRAJ_FRAME_BODY, at, 2, QTRAJ_LAYOUT_TIME_FIRST, by_time[0][0], NULL, NULL, NULL));
+  for (curve = 0; curve < 2; ++curve) {
+    CHECK(!qtraj_sample(rig[curve], at, 2, alone[0], NULL));
+    for (i = 0; i < 2; ++i) {
+      CHECK(memcmp(by_curve[curve][i], alone[i], sizeof alone[i]) == 0);
+      CHECK(memcmp(by_time[i][curve], alone[i], sizeof alone[i]) == 0);
+    }
+    qtraj_destroy((qtraj_trajectory*)rig[curve]);
+  }
+}
+
 static void check_getters(void) {
   double t[count], q[count][4];
   qtraj_trajectory* curve = build(QTRAJ_HERMITE, count, times, keys);

@@ -173,8 +173,35 @@ static void check_moments(void) {
   CHECK(!qtraj_rotation_angle(mean, 1, whole, 1, 1, &angle, NULL) && angle < 1e-14);
 }
 
+static void check_screws_and_tables(void) {
+  const double p_a[3] = {1, 2, 3}, p_b[3] = {3, 2, 1}, fractions[3] = {0, 0.5, 1}, half_turn[4] = {0, 0, 0, 2};
+  const double w[3] = {1, 2, 3}, x[3] = {4, 5, 6}, *columns[2] = {w, x};
+  double b[4], q[3][4], p[3][3], moved[3][3], shifted_a[3], shifted_b[3], rows[3][2], back[2][3];
+  double* columns_out[2] = {back[0], back[1]};
+  size_t bad;
+  int i, k;
+  turn(1.2, 1, 2, 3, b);
+  CHECK(!qtraj_screw_pairs(identity, p_a, 1, b, p_b, 1, fractions, 3, 3, q[0], p[0], NULL));
+  CHECK(memcmp(p[0], p_a, sizeof p_a) == 0 && memcmp(p[2], p_b, sizeof p_b) == 0);
+  /* another origin of the world moves all positions alike */
+  for (k = 0; k < 3; ++k) shifted_a[k] = p_a[k] + 10, shifted_b[k] = p_b[k] + 10;
+  CHECK(!qtraj_screw_pairs(identity, shifted_a, 1, b, shifted_b, 1, fractions, 3, 3, q[0], moved[0], NULL));
+  for (i = 0; i < 3; ++i)
+    for (k = 0; k < 3; ++k) CHECK(fabs(moved[i][k] - p[i][k] - 10) < 1e-14);
+  /* no turn: the straight line; half a turn: one of two */
+  CHECK(!qtraj_screw_pairs(b, p_a, 1, b, p_b, 1, fractions, 3, 3, q[0], p[0], NULL));
+  CHECK(p[1][0] == 2 && p[1][1] == 2 && p[1][2] == 2);
+  CHECK(qtraj_screw_pairs(identity, p_a, 1, half_turn, p_b, 1, fractions, 3, 3, q[0], p[0], &bad) == QTRAJ_E_AMBIGUOUS);
+  CHECK(bad == 0 && fabs(q[1][3] - sqrt(0.5)) < 1e-15 && memcmp(p[2], p_b, sizeof p_b) == 0);
+
+  CHECK(!qtraj_rows_from_columns(columns, 2, 3, rows[0]));
+  CHECK(!qtraj_columns_from_rows(rows[0], 2, 3, columns_out));
+  for (i = 0; i < 3; ++i) CHECK(rows[i][0] == w[i] && rows[i][1] == x[i] && back[0][i] == w[i] && back[1][i] == x[i]);
+}
+
 void check_functions(void) {
   check_paths();
+  check_screws_and_tables();
   check_keys_and_algebra();
   check_means();
   check_samples();
