@@ -13,8 +13,8 @@ inline Status check_knot(const double* times, size_t index);
 // The same check of a time that follows `previous`; `previous` may lie before `first`. All times are finite.
 Status check_time(double first, double previous, double time);
 
-// Makes knot `last` the first once more, a period after it. time_order where that does not come after the knot before it,
-// time_span where it overflows.
+// Makes knot `last` the first once more, a period after it. time_order where that does not come after the knot before
+// it, time_span where it overflows.
 Status set_closing_time(double* times, size_t last, double period);
 
 // Whether a finite time comes after the one before by a step that is nowhere near the limits of check_time, as nearly

@@ -41,7 +41,7 @@ struct EvaluatorDefaults {
 
   // How many times a batch takes at once, and how many of them, where they are scattered, it looks up at once: many, so
   // that gathers overlap. Both cost stack, which segments of many fields need themselves.
-  static constexpr size_t kChunk = 256, kSearched = 256;
+  static constexpr size_t kChunk = 240, kSearched = 240;
 
   // Cost of a sample without rates, from 1 for the cheapest kind. In vectors of two lanes, cheap samples gain less from
   // vectors than it costs to gather a segment per lane.

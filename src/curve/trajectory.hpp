@@ -12,8 +12,8 @@
 
 namespace qtraj {
 
-// What the curve does beyond one end: the great circle m cos x + e sin x, x = rate (t - knot), with the end key as m and
-// rate 0 for HOLD.
+// What the curve does beyond one end: the great circle m cos x + e sin x, x = rate (t - knot), with the end key as m
+// and rate 0 for HOLD.
 struct GreatCircle {
   double knot;
   double far_time;  // later times are clamped to it: there the arc, or the difference t - knot, has no digits left
@@ -40,8 +40,8 @@ struct Trajectory {
   double worst_norm_error;
   double least_dot;
   GreatCircle before, after;
-  bool closed;               // PERIODIC, at its ends or beyond them
-  bool negate_on_wrap;       // PERIODIC extrapolation: the last key is minus the first
+  bool closed;          // PERIODIC, at its ends or beyond them
+  bool negate_on_wrap;  // PERIODIC extrapolation: the last key is minus the first
   bool on_heap;
   size_t keys_offset, segments_offset;  // bytes from here
 };

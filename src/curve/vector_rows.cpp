@@ -44,7 +44,7 @@ bool finish(double number, double scale, double rate, int times, Real& to) {
 // The numbers of a component.
 template <size_t kTerms>
 QTRAJ_INLINE VectorComponent<double> component_of(const VectorCurve& curve, const VectorSegment& segment,
-                                     const SegmentPosition<double>& at, size_t c) {
+                                                  const SegmentPosition<double>& at, size_t c) {
   const auto shape = [&](size_t term) { return term < kTerms ? segment.shape[term * curve.dim + c] : 0.0; };
   const double* const near = at.is_first_half ? segment.left : segment.right;
   return {near[c], segment.right[c] - segment.left[c], shape(0), shape(1), shape(2), shape(3)};

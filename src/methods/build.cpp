@@ -19,8 +19,9 @@ constexpr size_t kKeyBytes = 4 * sizeof(double);
 // How far from the knot the arc still has a direction: 2^50 rad, or 2^1000 s.
 double far_distance(double rate) { return rate > 0x1p-950 ? 0x1p50 / rate : 0x1p1000; }
 
-GreatCircle circle_at(Extrapolate rule, double knot, double forward, const Quaternion& key, const Vector3& omega_body) {
-  GreatCircle circle = {};
+// Fills a circle that is all 0.
+void set_circle(Extrapolate rule, double knot, double forward, const Quaternion& key, const Vector3& omega_body,
+                GreatCircle& circle) {
   circle.knot = knot;
   store(key, circle.m);
   if (rule == Extrapolate::constant_rate) {
@@ -38,7 +39,6 @@ GreatCircle circle_at(Extrapolate rule, double knot, double forward, const Quate
   // the sum may overflow
   const bool room = std::abs(0.5 * knot + 0.5 * distance) < 0.5 * DBL_MAX;
   circle.far_time = room ? knot + distance : forward * DBL_MAX;
-  return circle;
 }
 
 // The outcome of a builder with the index of a key as the caller counts it. A key that was added to close the curve has
@@ -122,10 +122,10 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   trajectory->least_dot = report.least_dot;
   const size_t last = keys.segments();
   const Timeline& timeline = trajectory->timeline;
-  trajectory->before =
-      circle_at(timeline.before.rule, timeline.before.knot, -1.0, keys[0].value, construction.omega_start);
-  trajectory->after =
-      circle_at(timeline.after.rule, timeline.after.knot, 1.0, keys[last].value, construction.omega_end);
+  set_circle(timeline.before.rule, timeline.before.knot, -1.0, keys[0].value, construction.omega_start,
+             trajectory->before);
+  set_circle(timeline.after.rule, timeline.after.knot, 1.0, keys[last].value, construction.omega_end,
+             trajectory->after);
   trajectory->closed = options.closed() || options.wraps();
   trajectory->negate_on_wrap = dot(keys[0].value, keys[last].value) < 0;
   trajectory->tag = Trajectory::kTag;
