@@ -186,6 +186,13 @@ TEST_CASE("C API: vectors of any size leave errno and the floating-point environ
     CHECK(build_vector(options.get(), keys).status == QTRAJ_E_NOT_FINITE);
     *numbers = kept;
   }
+  VectorKeys<float> single = vector_tour<float>({"", QTRAJ_VECTOR_HERMITE}, 8, 3);
+  for (std::vector<float>* numbers : {&single.values, &single.first}) {
+    const std::vector<float> kept = *numbers;
+    set_signalling_nan((*numbers)[5]);
+    CHECK(std::string("nothing") == disturbance([&] { build_vector(options.get(), single); }));
+    *numbers = kept;
+  }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ u = (t - t_i)/h_i, from the conditions that define the curve, and differentiated
 A curve is one line, "curve method start end dim count"; a line for each key, its time, values, and the derivatives that
 are given; then "samples n" and a line for each sample: the time, and for each component the value, the first and the
 second derivative, and the sum of the magnitudes that the error of the value is measured in: the ends of the segment and
-the shape of docs/mathematics.md, section 12. Rows of derivatives at given ends are those of the first and the last key;
+the shape of docs/mathematics.md, section 10. Rows of derivatives at given ends are those of the first and the last key;
 a row that no end needs is "nan".
 """
 import random
