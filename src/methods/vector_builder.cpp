@@ -65,8 +65,8 @@ class VectorBuilder {
     const bool at_each = curve_.method != kCubic;
     for (size_t c = 0; c < dim_ && finite; ++c) {
       const size_t i = row * dim_ + c;
-      finite = is_finite(input_.values[i]) && (!input_.first.data || !at_each || is_finite(input_.first[i])) &&
-               (!input_.second.data || is_finite(input_.second[i]));
+      finite = input_.values.is_finite_at(i) && (!input_.first.data || !at_each || input_.first.is_finite_at(i)) &&
+               (!input_.second.data || input_.second.is_finite_at(i));
     }
     return finite;
   }
@@ -78,7 +78,7 @@ class VectorBuilder {
     const EndSetting& end = is_first ? options_.start : options_.end;
     if (end.condition != End::given) return true;
     for (size_t c = 0; c < dim_; ++c)
-      if (!is_finite(input_.first[(is_first ? 0 : dim_) + c])) return false;
+      if (!input_.first.is_finite_at((is_first ? 0 : dim_) + c)) return false;
     return true;
   }
 

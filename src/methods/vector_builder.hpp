@@ -2,6 +2,7 @@
 // curves.
 #pragma once
 
+#include "base/floating.hpp"
 #include "curve/vector_curve.hpp"
 #include "methods/options.hpp"
 
@@ -14,6 +15,10 @@ struct Numbers {
 
   double operator[](size_t i) const {
     return is_float ? static_cast<double>(static_cast<const float*>(data)[i]) : static_cast<const double*>(data)[i];
+  }
+  // Of the number as it is: converting a signalling NaN would raise FE_INVALID.
+  bool is_finite_at(size_t i) const {
+    return is_float ? is_finite(static_cast<const float*>(data)[i]) : is_finite(static_cast<const double*>(data)[i]);
   }
 };
 
