@@ -1,6 +1,7 @@
 #include "functions/poses.hpp"
 
 #include "arguments.hpp"
+#include "math/arithmetic.hpp"
 
 using namespace qtraj;
 
@@ -10,8 +11,6 @@ template <class Real>
 struct Call {
   const qtraj_trajectory* trajectory;
   const qtraj_vector_curve* positions;
-  TimeSource times;
-  size_t count;
   PoseOutputs<Real> outputs;
 };
 
@@ -20,24 +19,25 @@ PoseOutputs<Real> outputs(int32_t frame, Real* q, Real* omega, Real* alpha, Real
   return {{q, omega, alpha, static_cast<Frame>(frame)}, {p, v, a}};
 }
 
-// The order of errors: NULL, HANDLE, SIZE, VALUE, OVERLAP.
+// The order of errors: NULL, HANDLE, SIZE, VALUE, OVERLAP. Not inlined: its arrays would stand on the stack of the
+// call.
 template <class Real>
-Status check(const Call<Real>& call, bool times_missing) {
+QTRAJ_NOINLINE Status check(const Call<Real>& call, const double* times, size_t count, bool times_missing) {
   const PoseOutputs<Real>& outputs = call.outputs;
   const bool no_output = !outputs.has_orientation() && !outputs.has_position();
-  if (call.count > 0 && (times_missing || no_output)) return Status::null;
+  if (count > 0 && (times_missing || no_output)) return Status::null;
   if (!call.trajectory || !call.positions) return Status::null;
   for (const Status handle : {capi::check_handle(call.trajectory), capi::check_handle(call.positions)})
     if (handle != Status::ok) return handle;
   const size_t p_row = call.positions->core.dim * sizeof(Real);
   size_t time_bytes = sizeof(double), q_bytes = 4 * sizeof(Real), rate_bytes = 3 * sizeof(Real), p_bytes = p_row;
-  const bool fits = call.count == 1 || (capi::array_bytes(call.count, sizeof(double), time_bytes) &&
-                                        capi::array_bytes(call.count, 4 * sizeof(Real), q_bytes) &&
-                                        capi::array_bytes(call.count, 3 * sizeof(Real), rate_bytes) &&
-                                        capi::array_bytes(call.count, p_row, p_bytes));
+  const bool fits =
+      count == 1 ||
+      (capi::array_bytes(count, sizeof(double), time_bytes) && capi::array_bytes(count, 4 * sizeof(Real), q_bytes) &&
+       capi::array_bytes(count, 3 * sizeof(Real), rate_bytes) && capi::array_bytes(count, p_row, p_bytes));
   if (!fits) return Status::size;
   if (!is_known(outputs.orientation.frame)) return Status::value;
-  const bool clash = capi::overlap_any({{call.times.array, time_bytes},
+  const bool clash = capi::overlap_any({{times, time_bytes},
                                         {outputs.orientation.q, q_bytes},
                                         {outputs.orientation.omega, rate_bytes},
                                         {outputs.orientation.alpha, rate_bytes},
@@ -48,21 +48,21 @@ Status check(const Call<Real>& call, bool times_missing) {
 }
 
 template <class Real>
-qtraj_status sample(const Call<Real>& call, size_t* bad_index) {
+qtraj_status sample(const Call<Real>& call, const double* times, size_t count, size_t* bad_index) {
   if (bad_index) *bad_index = kNoIndex;
-  const Status status = check(call, !call.times.array);
+  const Status status = check(call, times, count, !times);
   if (status != Status::ok) return capi::to_c(status);
-  return capi::report(sample_poses(call.trajectory->core, call.positions->core, call.times, call.count, call.outputs),
+  return capi::report(sample_poses(call.trajectory->core, call.positions->core, {times, 0, 0}, count, call.outputs),
                       bad_index);
 }
 
 template <class Real>
-qtraj_status sample_at(const Call<Real>& call, size_t* cursor) {
-  const Status status = check(call, false);
+qtraj_status sample_at(const Call<Real>& call, double time, size_t* cursor) {
+  const Status status = check(call, nullptr, 1, false);
   if (status != Status::ok) return capi::to_c(status);
   size_t start = 0;
-  return capi::to_c(sample_pose_at(call.trajectory->core, call.positions->core, call.times.start,
-                                   cursor ? *cursor : start, call.outputs));
+  return capi::to_c(
+      sample_pose_at(call.trajectory->core, call.positions->core, time, cursor ? *cursor : start, call.outputs));
 }
 
 }  // namespace
@@ -72,33 +72,29 @@ extern "C" {
 qtraj_status qtraj_sample_poses(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions, int32_t frame,
                                 const double* times, size_t count, double* q_out, double* omega_out, double* alpha_out,
                                 double* p_out, double* v_out, double* a_out, size_t* bad_index) {
-  return sample<double>(
-      {trajectory, positions, {times, 0, 0}, count, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
-      bad_index);
+  return sample<double>({trajectory, positions, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
+                        times, count, bad_index);
 }
 
 qtraj_status qtraj_sample_poses_f32(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
                                     int32_t frame, const double* times, size_t count, float* q_out, float* omega_out,
                                     float* alpha_out, float* p_out, float* v_out, float* a_out, size_t* bad_index) {
-  return sample<float>(
-      {trajectory, positions, {times, 0, 0}, count, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
-      bad_index);
+  return sample<float>({trajectory, positions, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)}, times,
+                       count, bad_index);
 }
 
 qtraj_status qtraj_sample_pose_at(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
                                   int32_t frame, double time, size_t* cursor, double* q_out, double* omega_out,
                                   double* alpha_out, double* p_out, double* v_out, double* a_out) {
-  return sample_at<double>(
-      {trajectory, positions, {nullptr, time, 0}, 1, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
-      cursor);
+  return sample_at<double>({trajectory, positions, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
+                           time, cursor);
 }
 
 qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajectory, const qtraj_vector_curve* positions,
                                       int32_t frame, double time, size_t* cursor, float* q_out, float* omega_out,
                                       float* alpha_out, float* p_out, float* v_out, float* a_out) {
-  return sample_at<float>(
-      {trajectory, positions, {nullptr, time, 0}, 1, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
-      cursor);
+  return sample_at<float>({trajectory, positions, outputs(frame, q_out, omega_out, alpha_out, p_out, v_out, a_out)},
+                          time, cursor);
 }
 
 }  // extern "C"

@@ -1,5 +1,7 @@
 #include "functions/poses.hpp"
 
+#include "math/arithmetic.hpp"
+
 namespace qtraj {
 namespace {
 
@@ -13,21 +15,24 @@ PoseOutputs<Real> from_row(const PoseOutputs<Real>& outputs, size_t row, size_t 
   return {from_row(outputs.orientation, row), from_row(outputs.position, row, dim)};
 }
 
+// Not inlined: a pose alone is to take little stack.
+template <class Real>
+QTRAJ_NOINLINE Status missing_pose(Status status, const PoseOutputs<Real>& outputs, size_t dim) {
+  fill_with_nan(outputs.orientation.q, 4);
+  fill_with_nan(outputs.orientation.omega, 3);
+  fill_with_nan(outputs.orientation.alpha, 3);
+  for (Real* row : {outputs.position.value, outputs.position.first, outputs.position.second}) fill_with_nan(row, dim);
+  return status;
+}
+
 template <class Real>
 Status sample_at_both(const Trajectory& trajectory, const VectorCurve& positions, double time, size_t& cursor,
                       const PoseOutputs<Real>& outputs) {
-  const SampleOutputs<Real>& orientation = outputs.orientation;
-  const VectorOutputs<Real>& position = outputs.position;
-  const Status of_trajectory = sample_at(trajectory, time, cursor, orientation);
+  const Status of_trajectory = sample_at(trajectory, time, cursor, outputs.orientation);
+  if (of_trajectory != Status::ok) return missing_pose(of_trajectory, outputs, positions.dim);
   size_t guess = cursor;
-  const Status of_positions = sample_vector_at(positions, time, guess, position);
-  if (of_trajectory != Status::ok)
-    for (Real* row : {position.value, position.first, position.second}) fill_with_nan(row, positions.dim);
-  if (of_positions == Status::ok) return of_trajectory;
-  fill_with_nan(orientation.q, 4);
-  fill_with_nan(orientation.omega, 3);
-  fill_with_nan(orientation.alpha, 3);
-  return of_trajectory != Status::ok ? of_trajectory : of_positions;
+  const Status of_positions = sample_vector_at(positions, time, guess, outputs.position);
+  return of_positions == Status::ok ? Status::ok : missing_pose(of_positions, outputs, positions.dim);
 }
 
 // Both curves in vectors. Where one of them has no value somewhere, which is rare, all is done again row by row.
