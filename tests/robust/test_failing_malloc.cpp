@@ -7,6 +7,7 @@
 #include "support/capi_means.hpp"
 #include "support/capi_variants.hpp"
 #include "support/row_functions.hpp"
+#include "support/vector_curve.hpp"
 
 using namespace capi;
 
@@ -95,6 +96,31 @@ TEST_CASE("C API: constructors without memory are NO_MEMORY and leave nothing", 
       CHECK(allocations.live == live);
     }
   });
+}
+
+TEST_CASE("C API: vector curves without memory are NO_MEMORY, and sampling them allocates nothing",
+          "[robust][memory]") {
+  for (const VectorVariant& variant : vector_variants()) {
+    CAPTURE(variant.name);
+    const Options options = vector_options(variant);
+    const VectorKeys<double> keys = vector_tour<double>(variant, 20, 3);
+    const int asked = fail_in_turn([&] {
+      qtraj_vector_curve* out = nullptr;
+      size_t bad = 7;
+      const qtraj_status status =
+          qtraj_vector_create(options.get(), keys.times.data(), keys.values.data(), keys.first_or_null(),
+                              keys.second_or_null(), keys.count(), keys.dim, &out, &bad);
+      CHECK((status == QTRAJ_OK) == (out != nullptr));
+      CHECK(bad == SIZE_MAX);
+      qtraj_vector_destroy(out);
+      return status;
+    });
+    CHECK(asked == (variant.method == QTRAJ_VECTOR_CUBIC ? 2 : 1));
+    const VectorCurve curve = must_build_vector(options.get(), keys);
+    std::vector<double> p(60), v(60), a(60);
+    must_not_allocate(
+        [&] { qtraj_vector_sample(curve.get(), keys.times.data(), 20, p.data(), v.data(), a.data(), nullptr); });
+  }
 }
 
 TEST_CASE("C API: options and the spline without memory are NO_MEMORY and write nothing", "[robust][memory]") {
