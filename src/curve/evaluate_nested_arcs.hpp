@@ -16,7 +16,7 @@ struct NestedArcsEvaluator : EvaluatorDefaults {
   using SegmentOf = NestedArcsSegmentOf<Value>;
 
   static constexpr int kWork = 3;
-  static constexpr size_t kChunk = 128, kSearched = 64;
+  static constexpr size_t kChunk = 128, kSearched = 48;
   template <class Real>
   static constexpr bool kOwnLoopWithRates = true;
 

@@ -138,6 +138,7 @@ TEST_CASE("C API: CONSTANT_RATE goes on with the rate that the curve has at its 
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
     for (const Variant& variant : variants()) {
+      if (!variant.is_continuous()) continue;
       const Trajectory curve = tour<Real>(variant, QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_CONSTANT_RATE);
       for (const double inward : {1.0, -1.0}) {
         const double knot = inward > 0 ? qtraj_start_time(curve.get()) : qtraj_end_time(curve.get());
@@ -198,6 +199,7 @@ TEST_CASE("C API: PERIODIC wraps the time on either side", "[capi][extrapolation
   for_double_and_float([](auto zero) {
     using Real = decltype(zero);
     for (const Variant& variant : variants()) {
+      if (!variant.is_continuous()) continue;
       const Trajectory curve = tour<Real>(variant, QTRAJ_EXTRAPOLATE_PERIODIC, QTRAJ_EXTRAPOLATE_PERIODIC);
       const double first = qtraj_start_time(curve.get()), period = qtraj_end_time(curve.get()) - first;
       for (const double turns : {1.0, 2.0, 7.0, 1000.0, -1.0, -2.0, -9.0, -1000.0})
@@ -239,14 +241,16 @@ TEST_CASE("C API: PERIODIC changes the sign at every wrap where the last key is 
       }
     // and the curve is continuous where it wraps
     for (const double seam : {-4.0, 0.0, 4.0, 8.0})
-      CHECK(distance(at(curve.get(), std::nextafter(seam, -DBL_MAX)), at(curve.get(), std::nextafter(seam, DBL_MAX))) <=
-            1e-14);
+      if (method != QTRAJ_STEP)
+        CHECK(distance(at(curve.get(), std::nextafter(seam, -DBL_MAX)),
+                       at(curve.get(), std::nextafter(seam, DBL_MAX))) <= 1e-14);
   }
 }
 
 TEST_CASE("C API: every rule but ERROR is continuous at both ends", "[capi][extrapolation]") {
   for (const Variant& variant : variants())
     for (const int32_t rule : {QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_CONSTANT_RATE, QTRAJ_EXTRAPOLATE_PERIODIC}) {
+      if (!variant.is_continuous()) continue;
       CAPTURE(variant.name, rule);
       const Trajectory curve = tour<double>(variant, rule, rule);
       for (const double knot : {qtraj_start_time(curve.get()), qtraj_end_time(curve.get())}) {

@@ -114,7 +114,7 @@ TEST_CASE("C API: settings that mean nothing to a vector curve are SETTING", "[c
     CHECK(qtraj_options_set_longest_gap(o, 0.5) == QTRAJ_OK);
     CHECK(qtraj_options_set_extrapolation(o, QTRAJ_EXTRAPOLATE_HOLD, QTRAJ_EXTRAPOLATE_ERROR) == QTRAJ_OK);
     // the family of methods is one of its own
-    for (const int32_t unknown : {1000, 1006, 0, 10, -1}) {
+    for (const int32_t unknown : {1000, 1006, 0, 11, -1}) {
       qtraj_options* none = o;
       CHECK(qtraj_options_create(unknown, &none) == QTRAJ_E_VALUE);
       CHECK(none == nullptr);

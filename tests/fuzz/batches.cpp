@@ -1,4 +1,6 @@
 // Random batches: series of keys and samples of any length, offsets that are none, and what a loop gives of them.
+#include <algorithm>
+
 #include "fuzz.hpp"
 #include "support/capi_batch_call.hpp"
 #include "support/capi_handles.hpp"
@@ -46,7 +48,12 @@ qtraj_status alone(const capi::BatchCall<Real>& call, const Offsets& keys, const
 
 template <class Real>
 void fuzz_batch_of(Source& source, Digests& digests) {
-  static const std::vector<int32_t> methods = capi::all_methods();
+  // batches have no tangents
+  static const std::vector<int32_t> methods = [] {
+    std::vector<int32_t> all = capi::all_methods();
+    all.erase(std::remove_if(all.begin(), all.end(), capi::needs_tangents), all.end());
+    return all;
+  }();
   const Level levels[] = {Level::ordinary, Level::finite, Level::any};
   const Level level = source.one_of(levels);
   const capi::Method& method = capi::method_of(methods[source.below(methods.size())]);

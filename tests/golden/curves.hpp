@@ -95,7 +95,8 @@ struct Curve {
 // Two sets, each with a hash of its own, so that a method that is added leaves the first as it is.
 enum class Set { first, added };
 inline Set set_of(const capi::Variant& setting) {
-  const bool is_added = setting.needs_tangents() || setting.tangents == QTRAJ_TANGENT_REST;
+  const bool is_added =
+      setting.needs_tangents() || setting.tangents == QTRAJ_TANGENT_REST || setting.method == QTRAJ_STEP;
   return is_added ? Set::added : Set::first;
 }
 

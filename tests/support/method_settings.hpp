@@ -55,6 +55,7 @@ inline const std::vector<Method>& methods() {
     rotation_spline.ends = {estimated, chord, natural, given, periodic};
     list.push_back(rotation_spline);
     list.push_back({"QUATERNION_HERMITE", QTRAJ_QUATERNION_HERMITE, Needs::tangents});
+    list.push_back({"STEP", QTRAJ_STEP});
     return list;
   }();
   return all;
@@ -86,6 +87,8 @@ struct Variant {
   int32_t reference = QTRAJ_REFERENCE_DEFAULT;
 
   bool needs_rates() const { return tangents == QTRAJ_TANGENT_GIVEN || always_needs_rates(method); }
+  // Whether it moves from key to key; tests/capi/test_step.cpp has what becomes of the one that does not.
+  bool is_continuous() const { return method != QTRAJ_STEP; }
   bool needs_alpha() const { return method_of(method).needs == Needs::omega_and_alpha; }
   bool needs_tangents() const { return capi::needs_tangents(method); }
 };

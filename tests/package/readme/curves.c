@@ -97,7 +97,7 @@ static void check_getters(void) {
 }
 
 /* Three series: the keys, one key alone, and the keys again, of which a slice is sampled. */
-static void check_many_curves(void) {
+static void check_batches(void) {
   const int64_t key_offsets[] = {0, count, count + 1, 2 * count + 1}, sample_offsets[] = {5, 10, 12, 17};
   double t[2 * count + 1], q[2 * count + 1][4], out[20][4], even[5], alone[5][4];
   int32_t statuses[3];
@@ -134,5 +134,6 @@ void check_curves(void) {
   check_keys();
   check_times();
   check_many_curves();
+  check_batches();
   check_getters();
 }
