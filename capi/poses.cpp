@@ -52,8 +52,7 @@ qtraj_status sample(const Call<Real>& call, const double* times, size_t count, s
   if (bad_index) *bad_index = kNoIndex;
   const Status status = check(call, times, count, !times);
   if (status != Status::ok) return capi::to_c(status);
-  return capi::report(sample_poses(call.trajectory->core, call.positions->core, {times, 0, 0}, count, call.outputs),
-                      bad_index);
+  return capi::report(sample_poses(call.trajectory->core, call.positions->core, times, count, call.outputs), bad_index);
 }
 
 template <class Real>

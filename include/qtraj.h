@@ -110,8 +110,8 @@ QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   QTRAJ_OK = 0,
   /** A pointer that must be there is NULL: pass it, or a count of 0 where there is nothing to pass. */
   QTRAJ_E_NULL = 1,
-  /** A handle that is none of its kind: another object, one that was destroyed, or memory that is not aligned to 8
-   * bytes. Pass what the constructor gave. */
+  /** A handle that is none of its kind: another object, one that was destroyed, options of a trajectory's method for a
+   * vector curve or the reverse, or memory that is not aligned to 8 bytes. Pass what the constructor gave. */
   QTRAJ_E_HANDLE = 2,
   /** Fewer elements than the function takes, such as 2 keys or 1 sample of a mean: look at count. */
   QTRAJ_E_TOO_FEW = 3,
@@ -136,7 +136,8 @@ QTRAJ_EXTENSION typedef enum QTRAJ_NODISCARD qtraj_status {
   QTRAJ_E_BUFFER = 10,
   /** An output overlaps another array where that is not allowed: give it an array of its own. */
   QTRAJ_E_OVERLAP = 11,
-  /** Allocation failed: free some, or build in memory of your own with qtraj_options_init() and qtraj_init(). */
+  /** Allocation failed: free some, or build in memory of your own with qtraj_options_init() and qtraj_init(),
+   * or qtraj_vector_init(). */
   QTRAJ_E_NO_MEMORY = 12,
   /** NaN or infinity in the input, or a result that overflows: mend or leave out the element at bad_index. */
   QTRAJ_E_NOT_FINITE = 21,
@@ -219,7 +220,7 @@ enum qtraj_vector_method_value {
   QTRAJ_VECTOR_LINEAR = 1002,
   /** C2: the cubic spline through the keys; ends NATURAL, NOT_A_KNOT, GIVEN, PERIODIC. */
   QTRAJ_VECTOR_CUBIC = 1003,
-  /** C1: cubics, the first derivatives at the keys given. */
+  /** C1: cubics, the first derivatives at the keys given, one for both sides of a key. */
   QTRAJ_VECTOR_HERMITE = 1004,
   /** C2: quintics, first and second derivatives at the keys given. */
   QTRAJ_VECTOR_QUINTIC = 1005
@@ -407,7 +408,8 @@ QTRAJ_API qtraj_status qtraj_options_set_ends(qtraj_options* options, int32_t st
  * @param omega_start  [3], rad/s, at the first key, copied; NULL where that end is not QTRAJ_END_GIVEN
  * @param omega_end    [3], rad/s, at the last key, copied; NULL where that end is not QTRAJ_END_GIVEN
  * @return QTRAJ_OK, or without effect
- *   - QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_SETTING (a method without END_GIVEN);
+ *   - QTRAJ_E_NULL (options), QTRAJ_E_HANDLE, QTRAJ_E_VALUE (frame), QTRAJ_E_SETTING (a method without END_GIVEN;
+ *     VECTOR_CUBIC has its derivatives from qtraj_vector_create());
  *   - QTRAJ_E_INPUT_MISSING, QTRAJ_E_INPUT_UNWANTED: no rate for an end that is GIVEN, or one for an end that is not;
  *   - QTRAJ_E_NOT_FINITE: a rate */
 QTRAJ_API qtraj_status qtraj_options_set_end_rates(qtraj_options* options, int32_t frame, const double* omega_start,
@@ -507,7 +509,7 @@ QTRAJ_API qtraj_status qtraj_options_set_longest_gap(qtraj_options* options, dou
 
 /** Builds a trajectory through keys, with the default settings of a method.
  *
- * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE
+ * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE, STEP
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -526,7 +528,7 @@ QTRAJ_API qtraj_status qtraj_create(int32_t method, const double* times, const d
  *
  * The keys are read as float, the times as double, and the curve is built in double.
  *
- * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE
+ * @param method     a qtraj_method_value that needs neither rates nor tangents: SLERP to ROTATION_SPLINE, STEP
  * @param times      [count], s, strictly increasing: the knots
  * @param q_wb       [count][4], w x y z, body to world, the keys; any norm but 0, any sign
  * @param count      number of keys, 2 or more
@@ -1704,8 +1706,9 @@ QTRAJ_API qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajecto
  * rows before it are neither read nor written, nor are those from the last one on.
  *
  * Each series gives what it would alone, to the last bit. One at fault has a status of its own, and rows of NaN, and is
- * no harm to the others; the call returns the status of the first. TOO_FEW or VALUE is then its fault, with its index
- * in bad_index, and no mistake of the call.
+ * no harm to the others; the call returns the status of the first. TOO_FEW, VALUE (of a step) or SIZE is then its
+ * fault where bad_index has its index, and else a mistake of the call. Offsets and arrays may be NULL where count is 0,
+ * arrays also where no series has a row.
  *
  * Nothing here starts a thread. Offsets split without a copy: series k up to k + n are a call of its own with
  * key_offsets + k, sample_offsets + k, status_out + k, count n and all other arrays as they are.
@@ -1713,7 +1716,7 @@ QTRAJ_API qtraj_status qtraj_sample_pose_at_f32(const qtraj_trajectory* trajecto
 
 /** Samples many curves, each of a series of keys: qtraj_init() and qtraj_sample() of each in one call.
  *
- * @param options         method and settings, read during the call; none that need rates at all keys
+ * @param options         method and settings, read during the call; none that need rates, turns or tangents
  * @param count           number of series
  * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
  * @param key_times       s, of each series strictly increasing: its knots
@@ -1744,7 +1747,7 @@ QTRAJ_API qtraj_status qtraj_batch_sample(const qtraj_options* options, size_t c
  *
  * The keys are read as float, the times as double, curves are built in double and sampled as by qtraj_sample_f32().
  *
- * @param options         method and settings, read during the call; none that need rates at all keys
+ * @param options         method and settings, read during the call; none that need rates, turns or tangents
  * @param count           number of series
  * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
  * @param key_times       s, of each series strictly increasing: its knots
@@ -1773,7 +1776,7 @@ QTRAJ_API qtraj_status qtraj_batch_sample_f32(const qtraj_options* options, size
 
 /** Samples many curves with rates: given at the keys, wanted in the samples, or both.
  *
- * @param options         method and settings, read during the call; none that need turns
+ * @param options         method and settings, read during the call; none that need turns or tangents
  * @param frame           a qtraj_frame_value, of all rates
  * @param count           number of series
  * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last
@@ -1813,7 +1816,7 @@ QTRAJ_API qtraj_status qtraj_batch_sample_rates(const qtraj_options* options, in
  * Keys and rates are read as float, the times as double, curves are built in double and sampled as by
  * qtraj_sample_rates_f32().
  *
- * @param options         method and settings, read during the call; none that need turns
+ * @param options         method and settings, read during the call; none that need turns or tangents
  * @param frame           a qtraj_frame_value, of all rates
  * @param count           number of series
  * @param key_offsets     [count + 1], rows of the first key of each series and, last, of the end of the last

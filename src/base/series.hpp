@@ -39,16 +39,16 @@ struct Series {
 class SeriesReader {
  public:
   explicit SeriesReader(const Series& series)
-      : next_offset_(series.offsets + 1), row_(series.first_row), end_row_(series.end_row), longest_(series.longest) {}
+      : offset_(series.offsets), row_(series.first_row), end_row_(series.end_row), longest_(series.longest) {}
 
   RowRange next() {
-    const size_t offset = read_offset(next_offset_++), first = row_, most = std::min(longest_, end_row_ - first);
+    const size_t offset = read_offset(++offset_), first = row_, most = std::min(longest_, end_row_ - first);
     row_ = offset < first ? first : first + std::min(offset - first, most);
     return {first, row_ - first};
   }
 
  private:
-  const int64_t* next_offset_;
+  const int64_t* offset_;  // of the next series; null where there is none
   size_t row_, end_row_, longest_;
 };
 

@@ -40,7 +40,7 @@ QTRAJ_NOINLINE void locate_elsewhere(const Trajectory& trajectory, double time, 
 }
 
 // Looks up rows of the present stretch, until there are `most` or one has segments of another kind or range. How many.
-// A row whose time is in the segment found last takes two comparisons.
+// A row whose time is in the segment found last takes a few comparisons.
 QTRAJ_INLINE size_t locate_stretch(const SeriesWalk& walk, size_t most, LocatedRows& located) {
   const size_t stretch = walk.stretch() < most ? walk.stretch() : most;
   for (size_t i = 0; i < stretch; ++i, ++located.count) {
@@ -50,7 +50,8 @@ QTRAJ_INLINE size_t locate_stretch(const SeriesWalk& walk, size_t most, LocatedR
     const size_t guess = located.guess;
     const double* const knots = knots_of(trajectory.timeline);
     if (is_finite(time) && guess + 1 < trajectory.timeline.key_count && knots[guess] <= time &&
-        time < knots[guess + 1] && !is_gap(trajectory.timeline, knots, guess)) {
+        time < knots[guess + 1] && time <= trajectory.timeline.last_inside &&
+        !is_gap(trajectory.timeline, knots, guess)) {
       located.records[located.count] = address_of(segments_of<char>(trajectory) + guess * located.segment_bytes);
       located.elapsed[located.count] = time - knots[guess];
     } else {

@@ -1,5 +1,7 @@
 #include "functions/poses.hpp"
 
+#include <algorithm>
+
 #include "math/arithmetic.hpp"
 
 namespace qtraj {
@@ -35,33 +37,45 @@ Status sample_at_both(const Trajectory& trajectory, const VectorCurve& positions
   return of_positions == Status::ok ? Status::ok : missing_pose(of_positions, outputs, positions.dim);
 }
 
-// Both curves in vectors. Where one of them has no value somewhere, which is rare, all is done again row by row.
+// Rows in vectors, where both curves are asked for and have values; false, and rows that may have been written, where
+// they have not.
 template <class Real>
-Outcome sample_both(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& source, size_t count,
-                    const PoseOutputs<Real>& outputs) {
+bool sample_in_vectors(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& times,
+                       size_t count, const PoseOutputs<Real>& outputs) {
+  if (!outputs.has_orientation() || !outputs.has_position()) return false;
   size_t cursor = 0;
-  if (outputs.has_orientation() && outputs.has_position()) {
-    const Outcome of_trajectory = sample(trajectory, source, count, cursor, outputs.orientation);
-    if (of_trajectory.status == Status::ok &&
-        sample(positions, source, count, cursor, outputs.position).status == Status::ok)
-      return {};
-  }
-  const TimeReader times(source, count);
+  return sample(trajectory, times, count, cursor, outputs.orientation).status == Status::ok &&
+         sample(positions, times, count, cursor, outputs.position).status == Status::ok;
+}
+
+// Block by block; one in which a curve has no value somewhere is done again row by row.
+template <class Real>
+Outcome sample_both(const Trajectory& trajectory, const VectorCurve& positions, const double* times, size_t count,
+                    const PoseOutputs<Real>& outputs) {
+  constexpr size_t kBlock = 1024;
+  size_t cursor = 0;
   Outcome outcome;
-  for (size_t i = 0; i < count; ++i) {
-    const Status status = sample_at_both(trajectory, positions, times[i], cursor, from_row(outputs, i, positions.dim));
-    if (status != Status::ok && outcome.status == Status::ok) outcome = {status, i};
+  for (size_t first = 0; first < count; first += kBlock) {
+    const size_t rows = std::min(kBlock, count - first);
+    const TimeSource source = {times + first, 0, 0};
+    if (sample_in_vectors(trajectory, positions, source, rows, from_row(outputs, first, positions.dim))) continue;
+    const TimeReader read(source, rows);
+    for (size_t row = first; row < first + rows; ++row) {
+      const Status status =
+          sample_at_both(trajectory, positions, read[row - first], cursor, from_row(outputs, row, positions.dim));
+      if (status != Status::ok && outcome.status == Status::ok) outcome = {status, row};
+    }
   }
   return outcome;
 }
 
 }  // namespace
 
-Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& times, size_t count,
+Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const double* times, size_t count,
                      const PoseOutputs<double>& outputs) {
   return sample_both(trajectory, positions, times, count, outputs);
 }
-Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& times, size_t count,
+Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const double* times, size_t count,
                      const PoseOutputs<float>& outputs) {
   return sample_both(trajectory, positions, times, count, outputs);
 }

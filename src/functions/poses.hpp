@@ -16,9 +16,9 @@ struct PoseOutputs {
 
 // A row that one of the curves has no value for is NaN in every output; its status is that of the trajectory, or else
 // that of the positions. A curve without outputs is asked all the same.
-Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& times, size_t count,
+Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const double* times, size_t count,
                      const PoseOutputs<double>& outputs);
-Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const TimeSource& times, size_t count,
+Outcome sample_poses(const Trajectory& trajectory, const VectorCurve& positions, const double* times, size_t count,
                      const PoseOutputs<float>& outputs);
 
 // One of them. `cursor` is the segment of the trajectory, and serves the positions as well.

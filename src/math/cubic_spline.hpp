@@ -1,5 +1,5 @@
 // C2 cubic splines through vectors of any dimension, by their first derivatives at the knots: what LOG_SPLINE
-// (methods/log_spline.cpp) and the spline function (functions/spline_curve.hpp) are made of.
+// (methods/log_spline.cpp) and cubic vector curves (methods/vector_builder.hpp) are made of.
 #pragma once
 
 #include "base/settings.hpp"

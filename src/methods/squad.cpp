@@ -100,9 +100,14 @@ class HalfRates {
 
   Vector3 open_end(const EndSetting& end, size_t key) const {
     const Side side = key == 0 ? Side::start : Side::end;
-    if (end.condition == End::estimated) return 0.5 * estimated_end_rate(keys_, side, 2, construction_.input.epsilon());
     const SquadChord at = chord(key == 0 ? 0 : key - 1);
-    return at.log / at.h;
+    const Vector3 of_chord = at.log / at.h;
+    if (end.condition != End::estimated) return of_chord;
+    const Vector3 s = 0.5 * estimated_end_rate(keys_, side, 2, construction_.input.epsilon());
+    if (construction_.options.tangents != Tangent::rest) return s;
+    // of the sign of the chord and at most 3 times its rate, as at the other keys
+    return {resting_rate(s[0], of_chord[0], s[0]), resting_rate(s[1], of_chord[1], s[1]),
+            resting_rate(s[2], of_chord[2], s[2])};
   }
 
   Status given(const Vector3& omega, Frame frame, size_t key, Vector3& s) const {

@@ -107,6 +107,25 @@ double overshoot(const qtraj_trajectory* curve, const Keyframes<double>& keys, c
   return worst;
 }
 
+TEST_CASE("C API: an ESTIMATED end of TANGENT_REST does not overshoot either", "[capi][squad][tangent_rest]") {
+  // standing at first and at last; without the limit the curve leaves the keys by 7 degrees
+  const double angles[] = {0, 0, 0.5 * kPi, 0.5 * kPi};
+  Keyframes<double> keys;
+  for (int i = 0; i < 4; ++i) {
+    keys.times.push_back(i);
+    for (const double component : turned(angles[i])) keys.q.push_back(component);
+  }
+  const Trajectory curve = must_build(resting(QTRAJ_END_ESTIMATED).get(), keys);
+  std::vector<double> times;
+  for (int i = 0; i <= 300; ++i) times.push_back(0.01 * i);
+  const std::vector<double> q = must_sample<double>(curve.get(), times);
+  for (size_t i = 0; i < times.size(); ++i) {
+    CAPTURE(times[i]);
+    CHECK(angle_of(&q[4 * i]) >= -4e-15);
+    CHECK(angle_of(&q[4 * i]) <= 0.5 * kPi + 4e-15);
+  }
+}
+
 TEST_CASE("C API: about one axis TANGENT_REST goes from key to key without turning back",
           "[capi][squad][tangent_rest]") {
   test::Random random(5);

@@ -192,7 +192,7 @@ static void check_overshoot(void) {
               {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 11.3, 0},
               {QTRAJ_SQUAD, 0, 0, QTRAJ_TANGENT_REST},
               {QTRAJ_SQUAD, QTRAJ_END_CHORD, 0, QTRAJ_TANGENT_REST},
-              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 6.7, QTRAJ_TANGENT_REST},
+              {QTRAJ_SQUAD, QTRAJ_END_ESTIMATED, 0, QTRAJ_TANGENT_REST},
               {QTRAJ_LOG_SPLINE, 0, 11.5, 0},
               {QTRAJ_LOG_SPLINE, QTRAJ_END_NOT_A_KNOT, 22.7, 0},
               {QTRAJ_ROTATION_SPLINE, 0, 22.7, 0},
