@@ -11,10 +11,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void set_reach(Timeline& timeline) {
-  const TimeSpan reached = reached_span(timeline.before.knot, timeline.after.knot);
-  timeline.before.reach = reached.first;
-  timeline.after.reach = reached.last;
+// Member by member: bytes between them stay 0, so that a handle is the same bytes wherever it is built.
+void set_side(Extrapolate rule, double knot, double reach, Timeline::Side& side) {
+  side.rule = rule;
+  side.knot = knot;
+  side.reach = reach;
+}
+
+void set_sides(const Options& options, double first, double last, Timeline& timeline) {
+  const TimeSpan reached = reached_span(first, last);
+  set_side(options.start.extrapolate, first, reached.first, timeline.before);
+  set_side(options.end.extrapolate, last, reached.last, timeline.after);
 }
 
 double longest_interval(const double* knots, size_t count) {
@@ -35,9 +42,7 @@ void build_timeline(const Options& options, bool holds_keys, Timeline& timeline)
   const double* knots = knots_of(timeline);
   const size_t count = timeline.key_count;
   const double first = knots[0], last = knots[count - 1];
-  timeline.before = {options.start.extrapolate, first, first};
-  timeline.after = {options.end.extrapolate, last, last};
-  set_reach(timeline);
+  set_sides(options, first, last, timeline);
   // beside 0 a normal number: a subnormal one is 0 where a processor was told so, and the C library tells errno of it
   const double before_last = std::abs(last) <= DBL_MIN ? last - 2.0 * DBL_MIN : std::nextafter(last, first);
   timeline.last_inside = options.wraps() || holds_keys ? before_last : last;

@@ -56,10 +56,10 @@ TEST_CASE("C API: of no rows the algebra is OK with NULL arrays", "[capi][algebr
   for_each_row_function([](const auto& function, auto zero) {
     using Real = decltype(zero);
     CAPTURE(function.name);
-    const Real* in[3] = {};
-    Real* out[2] = {};
+    const std::vector<const Real*> in(function.inputs.size());
+    const std::vector<Real*> out(function.outputs.size());
     size_t bad_index = 7;
-    CHECK(function.call(in, 0, out, &bad_index) == QTRAJ_OK);
+    CHECK(function.call(in.data(), 0, out.data(), &bad_index) == QTRAJ_OK);
     CHECK(bad_index == SIZE_MAX);
     RowArrays<Real> arrays(function, 1);
     const std::vector<std::vector<Real>> untouched = arrays.out;
