@@ -52,7 +52,7 @@ bool is_null(const Call& call) {
 
 // NULL, HANDLE, COUNT, SIZE, VALUE, INPUT_MISSING and INPUT_UNWANTED; finds what the longest curve takes. Without keys
 // no rates are asked for.
-Outcome check_input(Call& call, TrajectorySize& size) {
+Outcome check_input(Call& call, CurveSize& size) {
   Batch& batch = call.batch;
   const Status handle = is_null(call) ? Status::null : check_handle(call.options);
   if (handle != Status::ok) return {handle, kNoIndex};
@@ -74,12 +74,12 @@ struct Layout {
 };
 
 // BUFFER. The workspace is as large as even times want it where there is room.
-Status find_layout(const Call& call, const TrajectorySize& size, Layout& layout) {
+Status find_layout(const Call& call, const CurveSize& size, Layout& layout) {
   if (!call.has_curves()) return Status::ok;
   const size_t of_times = call.batch.sample_times ? 0 : kEvenTimes * sizeof(double);
   layout = {size.handle, std::max(size.workspace, of_times)};
   if (!call.memory) return Status::ok;
-  if (call.bytes < size.handle + size.workspace || !is_aligned(call.memory)) return Status::buffer;
+  if (call.bytes < size.all() || !is_aligned(call.memory)) return Status::buffer;
   layout.workspace = std::min(layout.workspace, call.bytes - size.handle);
   return Status::ok;
 }
@@ -108,7 +108,7 @@ Outcome run(const Call& call, const Layout& layout) {
 
 qtraj_status batch_sample(Call&& call) {
   if (call.bad_index) *call.bad_index = kNoIndex;
-  TrajectorySize size = {0, 0};
+  CurveSize size = {0, 0};
   Layout layout = {0, 0};
   Outcome outcome = check_input(call, size);
   if (outcome.status == Status::ok) outcome.status = find_layout(call, size, layout);

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "build_on_heap.hpp"
 #include "methods/build.hpp"
 #include "methods/method.hpp"
 
@@ -54,22 +54,16 @@ qtraj_status finish(const Request& request, const Outcome& outcome, Trajectory* 
 }
 
 qtraj_status create_on_heap(const Options& options, const Request& request) {
-  TrajectorySize size;
+  CurveSize size;
   if (!trajectory_size(options, request.input.count, size)) return QTRAJ_E_SIZE;
   const Frame frame = static_cast<Frame>(request.frame);
   const Status settings = check_settings(options, request.input, frame);
   if (settings != Status::ok) return capi::to_c(settings);
 
-  void* handle = capi::allocate(size.handle);
-  void* workspace = capi::allocate(size.workspace);
-  Outcome outcome = {Status::no_memory, kNoIndex};
   Trajectory* built = nullptr;
-  if (handle && workspace) outcome = build_trajectory(options, request.input, frame, handle, workspace, &built);
-  capi::release(workspace);
-  if (outcome.status == Status::ok)
-    built->on_heap = true;
-  else
-    capi::release(handle);
+  const Outcome outcome = capi::build_on_heap(size, built, [&](void* handle, void* workspace) {
+    return build_trajectory(options, request.input, frame, handle, workspace, &built);
+  });
   return finish(request, outcome, built);
 }
 
@@ -82,29 +76,9 @@ qtraj_status create_with_method(int32_t method, const Request& request) {
   return create_on_heap(options, request);
 }
 
-qtraj_status create_with_options(const qtraj_options* options, const Request& request) {
-  const Status status = begin(request, capi::check_handle(options));
-  if (status != Status::ok) return capi::to_c(status);
-  return create_on_heap(options->core, request);
-}
-
-qtraj_status create_with_given_rates(const qtraj_options* options, const Request& request) {
-  const bool omega_missing = request.input.count > 0 && !request.input.omega.data;
-  const Status status = begin(request, omega_missing ? Status::null : capi::check_handle(options));
-  return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
-}
-
-qtraj_status create_with_given_turns(const qtraj_options* options, const Request& request) {
-  const bool turns_missing = request.input.count > 0 && !request.input.turns;
-  const Status status = begin(request, turns_missing ? Status::null : capi::check_handle(options));
-  return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
-}
-
-// Whether tangents that must be there are NULL.
-bool tangents_missing(const Request& request) { return request.input.count > 0 && !request.input.in_tangents.data; }
-
-qtraj_status create_with_given_tangents(const qtraj_options* options, const Request& request) {
-  const Status status = begin(request, tangents_missing(request) ? Status::null : capi::check_handle(options));
+// `is_missing`: an array that the function is named for is NULL.
+qtraj_status create_with_options(const qtraj_options* options, const Request& request, bool is_missing = false) {
+  const Status status = begin(request, is_missing ? Status::null : capi::check_handle(options));
   return status != Status::ok ? capi::to_c(status) : create_on_heap(options->core, request);
 }
 
@@ -121,15 +95,17 @@ bool overlaps_input(const capi::Bytes& memory, const qtraj_options* options, con
          capi::overlap(memory, {options, sizeof *options});
 }
 
-qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* options, const Request& request) {
-  const Status status = begin(request, memory ? capi::check_handle(options) : Status::null);
+qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* options, const Request& request,
+                           bool is_missing = false) {
+  const bool has_arrays = memory && !is_missing;
+  const Status status = begin(request, has_arrays ? capi::check_handle(options) : Status::null);
   if (status != Status::ok) return capi::to_c(status);
-  TrajectorySize size;
+  CurveSize size;
   if (!trajectory_size(options->core, request.input.count, size)) return QTRAJ_E_SIZE;
   const Frame frame = static_cast<Frame>(request.frame);
   const Status settings = check_settings(options->core, request.input, frame);
   if (settings != Status::ok) return capi::to_c(settings);
-  const size_t needed = size.handle + size.workspace;
+  const size_t needed = size.all();
   if (bytes < needed || !capi::is_aligned(memory)) return QTRAJ_E_BUFFER;
   if (overlaps_input({memory, needed}, options, request)) return QTRAJ_E_OVERLAP;
 
@@ -137,12 +113,6 @@ qtraj_status init_in_place(void* memory, size_t bytes, const qtraj_options* opti
   const Outcome outcome =
       build_trajectory(options->core, request.input, frame, memory, static_cast<char*>(memory) + size.handle, &built);
   return finish(request, outcome, built);
-}
-
-qtraj_status init_with_given_tangents(void* memory, size_t bytes, const qtraj_options* options,
-                                      const Request& request) {
-  // NULL comes first: without memory init_in_place says so
-  return init_in_place(tangents_missing(request) ? nullptr : memory, bytes, options, request);
 }
 
 }  // namespace
@@ -173,35 +143,39 @@ qtraj_status qtraj_create_with_options_f32(const qtraj_options* options, const d
 qtraj_status qtraj_create_with_rates(const qtraj_options* options, int32_t frame, const double* times,
                                      const double* q_wb, const double* omega, const double* alpha, size_t count,
                                      qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index));
+  return create_with_options(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index),
+                             count > 0 && !omega);
 }
 
 qtraj_status qtraj_create_with_rates_f32(const qtraj_options* options, int32_t frame, const double* times,
                                          const float* q_wb, const float* omega, const float* alpha, size_t count,
                                          qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_rates(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index));
+  return create_with_options(options, request(times, q_wb, frame, omega, alpha, nullptr, count, out, bad_index),
+                             count > 0 && !omega);
 }
 
 qtraj_status qtraj_create_with_turns(const qtraj_options* options, int32_t frame, const double* times,
                                      const double* q_wb, const double* omega, const double* alpha, const int32_t* turns,
                                      size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_turns(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
+  return create_with_options(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index),
+                             count > 0 && !turns);
 }
 
 qtraj_status qtraj_create_with_turns_f32(const qtraj_options* options, int32_t frame, const double* times,
                                          const float* q_wb, const float* omega, const float* alpha,
                                          const int32_t* turns, size_t count, qtraj_trajectory** out,
                                          size_t* bad_index) {
-  return create_with_given_turns(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index));
+  return create_with_options(options, request(times, q_wb, frame, omega, alpha, turns, count, out, bad_index),
+                             count > 0 && !turns);
 }
 
 qtraj_status qtraj_init_size(const qtraj_options* options, size_t count, size_t* bytes) {
   const Status handle = bytes ? capi::check_handle(options) : Status::null;
   if (handle != Status::ok) return capi::to_c(handle);
   if (count < 2) return QTRAJ_E_TOO_FEW;
-  TrajectorySize size;
+  CurveSize size;
   if (!trajectory_size(options->core, count, size)) return QTRAJ_E_SIZE;
-  *bytes = size.handle + size.workspace;
+  *bytes = size.all();
   return QTRAJ_OK;
 }
 
@@ -220,29 +194,33 @@ qtraj_status qtraj_init_f32(void* memory, size_t bytes, const qtraj_options* opt
 qtraj_status qtraj_create_with_tangents(const qtraj_options* options, const double* times, const double* q_wb,
                                         const double* in_tangents, const double* out_tangents, size_t count,
                                         qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_tangents(
-      options, request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+  return create_with_options(options,
+                             request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index),
+                             count > 0 && !in_tangents);
 }
 
 qtraj_status qtraj_create_with_tangents_f32(const qtraj_options* options, const double* times, const float* q_wb,
                                             const float* in_tangents, const float* out_tangents, size_t count,
                                             qtraj_trajectory** out, size_t* bad_index) {
-  return create_with_given_tangents(
-      options, request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+  return create_with_options(options,
+                             request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index),
+                             count > 0 && !in_tangents);
 }
 
 qtraj_status qtraj_init_with_tangents(void* memory, size_t bytes, const qtraj_options* options, const double* times,
                                       const double* q_wb, const double* in_tangents, const double* out_tangents,
                                       size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return init_with_given_tangents(memory, bytes, options,
-                                  request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+  return init_in_place(memory, bytes, options,
+                       request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index),
+                       count > 0 && !in_tangents);
 }
 
 qtraj_status qtraj_init_with_tangents_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
                                           const float* q_wb, const float* in_tangents, const float* out_tangents,
                                           size_t count, qtraj_trajectory** out, size_t* bad_index) {
-  return init_with_given_tangents(memory, bytes, options,
-                                  request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index));
+  return init_in_place(memory, bytes, options,
+                       request_with_tangents(times, q_wb, in_tangents, out_tangents, count, out, bad_index),
+                       count > 0 && !in_tangents);
 }
 
 void qtraj_destroy(qtraj_trajectory* trajectory) {

@@ -29,13 +29,11 @@ QTRAJ_NOINLINE Status check(const Call<Real>& call, const double* times, size_t 
   if (!call.trajectory || !call.positions) return Status::null;
   for (const Status handle : {capi::check_handle(call.trajectory), capi::check_handle(call.positions)})
     if (handle != Status::ok) return handle;
-  const size_t p_row = call.positions->core.dim * sizeof(Real);
-  size_t time_bytes = sizeof(double), q_bytes = 4 * sizeof(Real), rate_bytes = 3 * sizeof(Real), p_bytes = p_row;
-  const bool fits =
-      count == 1 ||
-      (capi::array_bytes(count, sizeof(double), time_bytes) && capi::array_bytes(count, 4 * sizeof(Real), q_bytes) &&
-       capi::array_bytes(count, 3 * sizeof(Real), rate_bytes) && capi::array_bytes(count, p_row, p_bytes));
-  if (!fits) return Status::size;
+  size_t time_bytes, q_bytes, rate_bytes, p_bytes;
+  if (!capi::array_bytes(count, sizeof(double), time_bytes) || !capi::array_bytes(count, 4 * sizeof(Real), q_bytes) ||
+      !capi::array_bytes(count, 3 * sizeof(Real), rate_bytes) ||
+      !capi::array_bytes(count, call.positions->core.dim * sizeof(Real), p_bytes))
+    return Status::size;
   if (!is_known(outputs.orientation.frame)) return Status::value;
   const bool clash = capi::overlap_any({{times, time_bytes},
                                         {outputs.orientation.q, q_bytes},

@@ -19,9 +19,9 @@ extern "C" {
 qtraj_status qtraj_cubic_spline(const double* x, const double* y, size_t count, size_t dim, int32_t start, int32_t end,
                                 const double* queries, size_t query_count, double* y_out, size_t* bad_index) {
   const End start_end = static_cast<End>(start), end_end = static_cast<End>(end);
-  VectorCurveSize size = {};
+  CurveSize size = {};
   const bool fits = spline_curve_size(count, dim, size);
-  const size_t bytes = fits ? size.handle + size.workspace : SIZE_MAX;
+  const size_t bytes = fits ? size.all() : SIZE_MAX;
   return capi::call({input<1>(x, count), rows_of_dim(y, count, dim, false), input<1>(queries, query_count),
                      rows_of_dim(y_out, query_count, dim, true),
                      // no array of the caller, but its size is judged with theirs

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "build_on_heap.hpp"
 #include "methods/vector_builder.hpp"
 
 using namespace qtraj;
@@ -28,13 +28,14 @@ Request request(const qtraj_options* options, const double* times, const Real* v
 }
 
 // NULL, HANDLE, TOO_FEW, SIZE, INPUT_MISSING and INPUT_UNWANTED; *out and *bad_index get their values for an error.
-Status begin(const Request& request, VectorCurveSize& size) {
+// `is_missing`: memory that must be there is NULL.
+Status begin(const Request& request, CurveSize& size, bool is_missing = false) {
   if (request.bad_index) *request.bad_index = kNoIndex;
   if (!request.out) return Status::null;
   *request.out = nullptr;
   const VectorInput& input = request.input;
   const bool has_rows = input.count > 0 && input.dim > 0;
-  if ((input.count > 0 && !input.times) || (has_rows && !input.values.data)) return Status::null;
+  if ((input.count > 0 && !input.times) || (has_rows && !input.values.data) || is_missing) return Status::null;
   const Status handle = capi::check_vector_options(request.options);
   if (handle != Status::ok) return handle;
   if (input.count < 2 || input.dim < 1) return Status::too_few;
@@ -48,20 +49,13 @@ qtraj_status finish(const Request& request, const Outcome& outcome, VectorCurve*
 }
 
 qtraj_status create(const Request& request) {
-  VectorCurveSize size;
+  CurveSize size;
   const Status status = begin(request, size);
   if (status != Status::ok) return capi::to_c(status);
-  void* handle = capi::allocate(size.handle);
-  void* workspace = size.workspace > 0 ? capi::allocate(size.workspace) : nullptr;
-  Outcome outcome = {Status::no_memory, kNoIndex};
   VectorCurve* built = nullptr;
-  if (handle && (workspace || size.workspace == 0))
-    outcome = build_vector_curve(request.options->core, request.input, handle, workspace, &built);
-  capi::release(workspace);
-  if (outcome.status == Status::ok)
-    built->on_heap = true;
-  else
-    capi::release(handle);
+  const Outcome outcome = capi::build_on_heap(size, built, [&](void* handle, void* workspace) {
+    return build_vector_curve(request.options->core, request.input, handle, workspace, &built);
+  });
   return finish(request, outcome, built);
 }
 
@@ -77,23 +71,16 @@ bool overlaps_input(const capi::Bytes& memory, const Request& request) {
 }
 
 qtraj_status init(void* memory, size_t bytes, const Request& request) {
-  VectorCurveSize size;
-  const Status status = begin(request, size);
+  CurveSize size;
+  const Status status = begin(request, size, !memory);
   if (status != Status::ok) return capi::to_c(status);
-  const size_t needed = size.handle + size.workspace;
+  const size_t needed = size.all();
   if (bytes < needed || !capi::is_aligned(memory)) return QTRAJ_E_BUFFER;
   if (overlaps_input({memory, needed}, request)) return QTRAJ_E_OVERLAP;
   VectorCurve* built = nullptr;
   const Outcome outcome = build_vector_curve(request.options->core, request.input, memory,
                                              static_cast<char*>(memory) + size.handle, &built);
   return finish(request, outcome, built);
-}
-
-// The same without memory, which is judged with the pointers: it is NULL before anything else.
-qtraj_status init_without_memory(const Request& request) {
-  if (request.bad_index) *request.bad_index = kNoIndex;
-  if (request.out) *request.out = nullptr;
-  return QTRAJ_E_NULL;
 }
 
 }  // namespace
@@ -116,24 +103,22 @@ qtraj_status qtraj_vector_init_size(const qtraj_options* options, size_t count, 
   const Status handle = bytes ? capi::check_vector_options(options) : Status::null;
   if (handle != Status::ok) return capi::to_c(handle);
   if (count < 2 || dim < 1) return QTRAJ_E_TOO_FEW;
-  VectorCurveSize size;
+  CurveSize size;
   if (!vector_curve_size(options->core, count, dim, size)) return QTRAJ_E_SIZE;
-  *bytes = size.handle + size.workspace;
+  *bytes = size.all();
   return QTRAJ_OK;
 }
 
 qtraj_status qtraj_vector_init(void* memory, size_t bytes, const qtraj_options* options, const double* times,
                                const double* values, const double* first, const double* second, size_t count,
                                size_t dim, qtraj_vector_curve** out, size_t* bad_index) {
-  const Request all = request(options, times, values, first, second, count, dim, out, bad_index);
-  return memory ? init(memory, bytes, all) : init_without_memory(all);
+  return init(memory, bytes, request(options, times, values, first, second, count, dim, out, bad_index));
 }
 
 qtraj_status qtraj_vector_init_f32(void* memory, size_t bytes, const qtraj_options* options, const double* times,
                                    const float* values, const float* first, const float* second, size_t count,
                                    size_t dim, qtraj_vector_curve** out, size_t* bad_index) {
-  const Request all = request(options, times, values, first, second, count, dim, out, bad_index);
-  return memory ? init(memory, bytes, all) : init_without_memory(all);
+  return init(memory, bytes, request(options, times, values, first, second, count, dim, out, bad_index));
 }
 
 void qtraj_vector_destroy(qtraj_vector_curve* curve) {

@@ -142,8 +142,7 @@ qtraj_status qtraj_vector_keys(const qtraj_vector_curve* curve, double* times_ou
                value_bytes = core.dim * time_bytes;
   if (capi::overlap({times_out, time_bytes}, {values_out, value_bytes})) return QTRAJ_E_OVERLAP;
   if (times_out) std::memcpy(times_out, knots_of(core.timeline), time_bytes);
-  if (!values_out) return QTRAJ_OK;
-  for (size_t i = 0; i < count * core.dim; ++i) values_out[i] = vector_keys_of(core)[i] / scales_of(core)[i % core.dim];
+  if (values_out) copy_vector_keys(core, values_out);
   return QTRAJ_OK;
 }
 

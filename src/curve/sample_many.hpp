@@ -6,6 +6,7 @@
 #pragma once
 
 #include "curve/find_segments.hpp"
+#include "curve/runs.hpp"
 #include "curve/segment_vectors.hpp"
 
 namespace qtraj {
@@ -59,25 +60,13 @@ class Batch {
 
   // False, with nothing done, where runs would on average be shorter than that or times are outside the knots.
   bool sample_runs(size_t& cursor) {
-    const size_t rows = times_.rows();
-    const double first_time = read_once(times_[0]), last_time = read_once(times_[rows - 1]);
-    if (first_time < index_.knots[0] || last_time > trajectory_.timeline.last_inside) return false;
-    if (!(first_time <= last_time)) return false;
-    const size_t first = find_segment(index_, first_time, cursor);
-    const size_t last = find_segment(index_, last_time, first);
-    cursor = last;
-    if ((last - first) * kLeastRun >= rows) return false;
-    for (size_t segment = first, begin = 0; segment <= last; ++segment) {
-      const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
-      if (begin < end) {
-        if (is_gap(trajectory_.timeline, index_.knots, segment))
-          vectors_.mark_again(begin, end - begin);
-        else
-          vectors_.sample_run(segments_[segment], index_.knots[segment], begin, end);
-      }
-      begin = end;
-    }
-    return true;
+    return for_each_run(times_, index_, trajectory_.timeline, kLeastRun, cursor,
+                        [&](size_t segment, size_t begin, size_t end) {
+                          if (is_gap(trajectory_.timeline, index_.knots, segment))
+                            vectors_.mark_again(begin, end - begin);
+                          else
+                            vectors_.sample_run(segments_[segment], index_.knots[segment], begin, end);
+                        });
   }
 
   // ---- Other times: a segment for each lane ----

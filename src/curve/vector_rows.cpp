@@ -206,4 +206,9 @@ Outcome sample_vector_rows(const VectorCurve& curve, const TimeSource& times, si
   return sample_rows(curve, times, count, cursor, outputs);
 }
 
+void copy_vector_keys(const VectorCurve& curve, double* values) {
+  const double *const keys = vector_keys_of(curve), *const scales = scales_of(curve);
+  for (size_t i = 0; i < curve.timeline.key_count * curve.dim; ++i) values[i] = keys[i] / scales[i % curve.dim];
+}
+
 }  // namespace qtraj

@@ -34,4 +34,7 @@ Status sample_vector_at(const VectorCurve& curve, double time, size_t& cursor, c
 SampleVectorsFunction<double> sample_vector_rows;
 SampleVectorsFunction<float> sample_vector_rows;
 
+// The keys [key_count][dim], of their own size.
+void copy_vector_keys(const VectorCurve& curve, double* values);
+
 }  // namespace qtraj

@@ -4,7 +4,6 @@
 
 #include "math/so3.hpp"
 #include "methods/method.hpp"
-#include "methods/timeline_builder.hpp"
 
 namespace qtraj {
 namespace {
@@ -50,7 +49,7 @@ Outcome in_input(const KeyframeInput& input, const Outcome& outcome) {
 
 }  // namespace
 
-bool trajectory_size(const Options& options, size_t input_count, TrajectorySize& size) {
+bool trajectory_size(const Options& options, size_t input_count, CurveSize& size) {
   const MethodRow& row = find_row(options);
   if (input_count == SIZE_MAX) return false;
   const size_t count = options.key_count(input_count);
@@ -102,7 +101,7 @@ Outcome build_trajectory(const Options& options, const KeyframeInput& input, Fra
   if (options.closed() || options.wraps())
     outcome = close_keyframes(options.closure, options.turns == Turns::as_given, keys, report);
   if (outcome.status != Status::ok) return outcome;
-  build_timeline(options, options.method == Method{QTRAJ_STEP}, trajectory->timeline);
+  build_timeline(options, row.holds_keys, trajectory->timeline);
 
   Construction construction = {options,
                                input,

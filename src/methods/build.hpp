@@ -5,15 +5,12 @@
 #include "curve/trajectory.hpp"
 #include "methods/keyframes.hpp"
 #include "methods/options.hpp"
+#include "methods/timeline_builder.hpp"
 
 namespace qtraj {
 
-// Bytes of a handle through `count` keys of the caller and of the constructor's working space; false where they would
-// exceed PTRDIFF_MAX.
-struct TrajectorySize {
-  size_t handle, workspace;
-};
-bool trajectory_size(const Options& options, size_t count, TrajectorySize& size);
+// The size of a curve through `count` keys of the caller; false where it would exceed PTRDIFF_MAX.
+bool trajectory_size(const Options& options, size_t count, CurveSize& size);
 
 // Whether the options are complete and the input has the rates and tangents they need, and no others: ok, value (the
 // frame), input_missing or input_unwanted.

@@ -52,7 +52,8 @@ constexpr MethodRow kMethods[] = {
      false, true, true, kTurnsOfRates, 0, build_rotation_quintic},
     {Method{QTRAJ_QUATERNION_QUINTIC}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
      true, true, kShortest, 0, build_quaternion_quintic},
-    {Method{QTRAJ_STEP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kShortest, 0, build_step},
+    {Method{QTRAJ_STEP}, SegmentKind::arc, sizeof(ArcSegment), 0, false, false, false, false, kShortest, 0, build_step,
+     false, true},
     {Method{QTRAJ_QUATERNION_HERMITE}, SegmentKind::normalized_quintic, sizeof(NormalizedSegment<5>), 0, false, false,
      false, false, kSigns, 0, build_quaternion_hermite, true},
 };
@@ -75,7 +76,7 @@ constexpr unsigned kCubicEnds =
 
 // Method, terms, first and second derivatives, ends.
 constexpr VectorMethodRow kVectorMethods[] = {
-    {Method{QTRAJ_VECTOR_STEP}, 0, false, false, 0},           {Method{QTRAJ_VECTOR_LINEAR}, 0, false, false, 0},
+    {Method{QTRAJ_VECTOR_STEP}, 0, false, false, 0, true},     {Method{QTRAJ_VECTOR_LINEAR}, 0, false, false, 0},
     {Method{QTRAJ_VECTOR_CUBIC}, 2, false, false, kCubicEnds}, {Method{QTRAJ_VECTOR_HERMITE}, 2, true, false, 0},
     {Method{QTRAJ_VECTOR_QUINTIC}, 4, true, true, 0},
 };

@@ -51,6 +51,7 @@ struct MethodRow {
   size_t workspace_per_key;
   Outcome (*build)(Construction&);
   bool needs_tangents = false;  // dq/dt at all keys
+  bool holds_keys = false;      // each until the next one
 };
 
 // Methods of vector curves.
@@ -59,6 +60,7 @@ struct VectorMethodRow {
   size_t terms;                    // of a segment's shape (curve/vector_curve.hpp)
   bool needs_first, needs_second;  // derivatives at all keys
   unsigned ends;                   // a bit for each End condition that set_ends takes
+  bool holds_keys = false;         // each until the next one
 };
 
 // nullptr where the method is unknown.

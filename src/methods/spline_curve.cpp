@@ -26,12 +26,12 @@ bool are_spline_ends(End start, End end) {
   return is_spline_end(start) && is_spline_end(end) && (start == End::periodic) == (end == End::periodic);
 }
 
-bool spline_curve_size(size_t count, size_t dim, VectorCurveSize& size) {
+bool spline_curve_size(size_t count, size_t dim, CurveSize& size) {
   return vector_curve_size(spline_options(End::natural, End::natural), count, dim, size);
 }
 
 Outcome sample_spline_curve(const VectorInput& input, End start, End end, const double* queries, size_t query_count,
-                            double* y_out, void* memory, const VectorCurveSize& size) {
+                            double* y_out, void* memory, const CurveSize& size) {
   VectorCurve* curve = nullptr;
   const Outcome built =
       build_vector_curve(spline_options(start, end), input, memory, static_cast<char*>(memory) + size.handle, &curve);

@@ -9,7 +9,7 @@ namespace qtraj {
 bool are_spline_ends(End start, End end);
 
 // The size that sample_spline_curve() needs; false where it would exceed PTRDIFF_MAX.
-bool spline_curve_size(size_t count, size_t dim, VectorCurveSize& size);
+bool spline_curve_size(size_t count, size_t dim, CurveSize& size);
 
 // y_out [query_count][dim] of the C2 cubic through y [count][dim] at x [count], as the caller passed them, count >= 2.
 //
@@ -20,6 +20,6 @@ bool spline_curve_size(size_t count, size_t dim, VectorCurveSize& size);
 // The outcome of construction (vector_builder.hpp), all rows NaN; or of sampling, index count + query, that row NaN.
 // y_out may be any of the inputs. `memory` has handle and workspace one behind the other.
 Outcome sample_spline_curve(const VectorInput& input, End start, End end, const double* queries, size_t query_count,
-                            double* y_out, void* memory, const VectorCurveSize& size);
+                            double* y_out, void* memory, const CurveSize& size);
 
 }  // namespace qtraj

@@ -6,6 +6,13 @@
 
 namespace qtraj {
 
+// Bytes of a handle and of the constructor's working space.
+struct CurveSize {
+  size_t handle, workspace;
+
+  size_t all() const { return handle + workspace; }
+};
+
 // Bytes that the knots and their guide take, for each key.
 constexpr size_t kKnotBytes = sizeof(double) + Guide::entries(1) * sizeof(uint64_t);
 

@@ -6,14 +6,11 @@
 #include "curve/sample_output.hpp"
 #include "math/cubic_spline.hpp"
 #include "methods/method.hpp"
-#include "methods/timeline_builder.hpp"
 
 namespace qtraj {
 namespace {
 
-constexpr Method kStep = Method{QTRAJ_VECTOR_STEP}, kCubic = Method{QTRAJ_VECTOR_CUBIC};
-
-size_t terms_of(Method method) { return find_vector_method(method)->terms; }
+constexpr Method kCubic = Method{QTRAJ_VECTOR_CUBIC};
 
 class VectorBuilder {
  public:
@@ -144,13 +141,14 @@ class VectorBuilder {
 
   // ---- Shapes ----
 
+  static constexpr double kSteepest = 0x1p500;  // an interval times a slope
+
   // An interval, once or twice, times a given derivative; false where it is past the limit.
   bool given(const Numbers& derivatives, size_t row, size_t c, double h, int times, double& product) const {
-    constexpr double kLimit = 0x1p500;
     product = derivatives[row * dim_ + c];
     for (; times > 0; --times)
       if (!scaled<double>(product, h, product)) return false;
-    return scaled<double>(product, scales_[c], product) && magnitude(product) <= kLimit;
+    return scaled<double>(product, scales_[c], product) && magnitude(product) <= kSteepest;
   }
 
   Outcome solve_slopes() {
@@ -177,37 +175,42 @@ class VectorBuilder {
         if (!given(input_.first, input_.row_of_key(fault), c, h, 1, scaled_slope[end])) return false;
       } else {
         const double slope = slopes_[fault * dim_ + c];
-        if (magnitude(slope) > 0x1p500 / h) return false;
+        if (magnitude(slope) > kSteepest / h) return false;
         scaled_slope[end] = h * slope;
       }
     }
     return true;
   }
 
-  // Fills the shape of a segment (curve/evaluate_vector.hpp). A cubic that swings too far has none: NaN.
+  // Fills the shape of a segment (curve/evaluate_vector.hpp).
   Outcome set_shape(size_t i) {
+    Outcome outcome;
+    for (size_t c = 0; c < dim_ && curve_.terms > 0 && outcome.status == Status::ok; ++c)
+      outcome = set_component(i, c, shapes_ + i * curve_.terms * dim_ + c);
+    return outcome;
+  }
+
+  // Of a component, whose terms are `dim` numbers apart. A cubic that swings too far has none: NaN.
+  Outcome set_component(size_t i, size_t c, double* shape) {
     const double h = step(i);
-    double* const shape = shapes_ + i * curve_.terms * dim_;
-    for (size_t c = 0; c < dim_ && curve_.terms > 0; ++c) {
-      double slope[2];
-      size_t fault;
-      if (!scaled_slopes(i, c, h, slope, fault)) {
-        if (curve_.method != kCubic) return {Status::rate_too_fast, fault};
-        shape[c] = shape[dim_ + c] = std::numeric_limits<double>::quiet_NaN();
-        continue;
-      }
-      const double chord = key(i + 1, c) - key(i, c);
-      const double a = slope[0] - chord, b = chord - slope[1];
-      shape[c] = a;
-      shape[dim_ + c] = b;
-      if (curve_.terms == 2) continue;
-      double bend[2];
-      for (size_t end = 0; end < 2; ++end)
-        if (!given(input_.second, input_.row_of_key(i + end), c, h, 2, bend[end]))
-          return {Status::rate_too_fast, i + end};
-      shape[2 * dim_ + c] = 0.5 * bend[0] + (2.0 * a - b);
-      shape[3 * dim_ + c] = 0.5 * bend[1] + (2.0 * b - a);
+    double slope[2];
+    size_t fault;
+    if (!scaled_slopes(i, c, h, slope, fault)) {
+      if (curve_.method != kCubic) return {Status::rate_too_fast, fault};
+      shape[0] = shape[dim_] = std::numeric_limits<double>::quiet_NaN();
+      return {};
     }
+    const double chord = key(i + 1, c) - key(i, c);
+    const double a = slope[0] - chord, b = chord - slope[1];
+    shape[0] = a;
+    shape[dim_] = b;
+    if (curve_.terms == 2) return {};
+    double bend[2];
+    for (size_t end = 0; end < 2; ++end)
+      if (!given(input_.second, input_.row_of_key(i + end), c, h, 2, bend[end]))
+        return {Status::rate_too_fast, i + end};
+    shape[2 * dim_] = 0.5 * bend[0] + (2.0 * a - b);
+    shape[3 * dim_] = 0.5 * bend[1] + (2.0 * b - a);
     return {};
   }
 
@@ -240,10 +243,10 @@ bool has_given_end(const Options& options) {
 
 }  // namespace
 
-bool vector_curve_size(const Options& options, size_t input_count, size_t dim, VectorCurveSize& size) {
+bool vector_curve_size(const Options& options, size_t input_count, size_t dim, CurveSize& size) {
   constexpr size_t kMost = PTRDIFF_MAX / 64;  // doubles a row and their sums stay far from an overflow
   if (input_count >= kMost || dim > kMost / 8) return false;
-  const size_t count = options.key_count(input_count), terms = terms_of(options.method);
+  const size_t count = options.key_count(input_count), terms = find_vector_method(options.method)->terms;
   const size_t row = dim * sizeof(double);
   const bool is_cubic = options.method == kCubic;
   const size_t handle_per_key = kKnotBytes + (1 + terms) * row;
@@ -270,8 +273,8 @@ Outcome build_vector_curve(const Options& options, const VectorInput& input, voi
   const size_t count = options.key_count(input.count), row = input.dim * sizeof(double);
   curve->method = options.method;
   curve->dim = input.dim;
-  curve->terms = terms_of(options.method);
-  curve->holds_keys = options.method == kStep;
+  curve->terms = find_vector_method(options.method)->terms;
+  curve->holds_keys = find_vector_method(options.method)->holds_keys;
   place_knots(count, sizeof(VectorCurve) - offsetof(VectorCurve, timeline), curve->timeline);
   curve->scales_offset = sizeof(VectorCurve) + count * kKnotBytes;
   curve->keys_offset = curve->scales_offset + row;

@@ -5,6 +5,7 @@
 #include "base/floating.hpp"
 #include "curve/vector_curve.hpp"
 #include "methods/options.hpp"
+#include "methods/timeline_builder.hpp"
 
 namespace qtraj {
 
@@ -33,11 +34,8 @@ struct VectorInput {
   size_t row_of_key(size_t key) const { return key < count ? key : 0; }
 };
 
-// Bytes of a handle and of the constructor's working space; false where they would exceed PTRDIFF_MAX.
-struct VectorCurveSize {
-  size_t handle, workspace;
-};
-bool vector_curve_size(const Options& options, size_t count, size_t dim, VectorCurveSize& size);
+// The size of a curve through `count` keys of the caller; false where it would exceed PTRDIFF_MAX.
+bool vector_curve_size(const Options& options, size_t count, size_t dim, CurveSize& size);
 
 // Whether the input has the derivatives that the method and its ends need, and no others: ok, input_missing or
 // input_unwanted.

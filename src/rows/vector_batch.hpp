@@ -6,6 +6,7 @@
 #include "curve/chunk_times.hpp"
 #include "curve/evaluate_vector.hpp"
 #include "curve/find_segments.hpp"
+#include "curve/runs.hpp"
 #include "curve/vector_rows.hpp"
 #include "curve/wide_output.hpp"
 #include "rows/wide_rows.hpp"
@@ -138,23 +139,13 @@ class VectorBatch {
 
   // False, with nothing done, where runs would on average be shorter than that or times are outside the knots.
   bool sample_runs(size_t& cursor) {
-    const size_t rows = times_.rows();
-    const double first_time = read_once(times_[0]), last_time = read_once(times_[rows - 1]);
-    if (first_time < index_.knots[0] || last_time > curve_.timeline.last_inside) return false;
-    if (!(first_time <= last_time)) return false;
-    const size_t first = find_segment(index_, first_time, cursor);
-    const size_t last = find_segment(index_, last_time, first);
-    cursor = last;
-    if ((last - first) * kLeastRun >= rows) return false;
-    for (size_t segment = first, begin = 0; segment <= last; ++segment) {
-      const size_t end = segment == last ? rows : times_.first_at_or_after(index_.knots[segment + 1], begin);
-      if (is_gap(curve_.timeline, index_.knots, segment))
-        sample_each(begin, end, segment);
-      else
-        sample_run(segment, begin, end);
-      begin = end;
-    }
-    return true;
+    return for_each_run(times_, index_, curve_.timeline, kLeastRun, cursor,
+                        [&](size_t segment, size_t begin, size_t end) {
+                          if (is_gap(curve_.timeline, index_.knots, segment))
+                            sample_each(begin, end, segment);
+                          else
+                            sample_run(segment, begin, end);
+                        });
   }
 
   QTRAJ_NOINLINE void sample_run(size_t segment, size_t begin, size_t end) {

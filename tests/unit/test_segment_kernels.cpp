@@ -58,7 +58,7 @@ struct Built {
   std::vector<char> handle;
 
   Built(const qtraj::Options& options, const qtraj::KeyframeInput& input, qtraj::Frame frame) {
-    qtraj::TrajectorySize size;
+    qtraj::CurveSize size;
     REQUIRE(qtraj::trajectory_size(options, input.count, size));
     std::vector<double> memory(size.handle / sizeof(double)), workspace(size.workspace / sizeof(double));
     qtraj::Trajectory* built = nullptr;
