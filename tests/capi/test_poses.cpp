@@ -196,6 +196,38 @@ TEST_CASE("C API: a pose that one curve has no value for is missing from both", 
   });
 }
 
+TEST_CASE("C API: a fault among thousands of poses leaves all others bit for bit and has its own index",
+          "[capi][poses]") {
+  for_double_and_float([](auto zero) {
+    using Real = decltype(zero);
+    const auto both = curves<Real>({"", QTRAJ_SQUAD}, {"CUBIC", QTRAJ_VECTOR_CUBIC}, 3, QTRAJ_EXTRAPOLATE_ERROR, true);
+    const double first = qtraj_start_time(both.trajectory.get()), last = qtraj_end_time(both.trajectory.get());
+    const size_t count = 5000;
+    std::vector<double> times(count);
+    REQUIRE(qtraj_even_times(first, last, count, times.data()) == QTRAJ_OK);
+    Poses<Real> whole(count, 3);
+    REQUIRE(sample_poses(both.trajectory.get(), both.positions.get(), QTRAJ_FRAME_BODY, times.data(), count,
+                         Outputs<Real>(whole, 0, 3).at, nullptr) == QTRAJ_OK);
+    for (const size_t fault : {size_t{0}, size_t{1023}, size_t{1024}, size_t{3000}, count - 1}) {
+      CAPTURE(fault);
+      std::vector<double> with_fault = times;
+      with_fault[fault] = last + 1;
+      Poses<Real> poses(count, 3);
+      size_t bad = 7;
+      CHECK(sample_poses(both.trajectory.get(), both.positions.get(), QTRAJ_FRAME_BODY, with_fault.data(), count,
+                         Outputs<Real>(poses, 0, 3).at, &bad) == QTRAJ_E_TIME_RANGE);
+      CHECK(bad == fault);
+      for (size_t k = 0; k < 6; ++k) {
+        const size_t width = Poses<Real>::width(k, 3);
+        Real* const row = &poses.rows[k][fault * width];
+        CHECK(std::all_of(row, row + width, [](Real number) { return std::isnan(number); }));
+        std::copy_n(&whole.rows[k][fault * width], width, row);
+        CHECK(same_bits(poses.rows[k], whole.rows[k]));
+      }
+    }
+  });
+}
+
 TEST_CASE("C API: of two faults of a pose that of the orientation is told", "[capi][poses]") {
   // orientations with a gap where positions have ended, and the reverse
   const Options options = make_options({"", QTRAJ_SLERP}), of_vectors = vector_options(QTRAJ_VECTOR_LINEAR);
