@@ -11,17 +11,17 @@ using namespace qtraj::capi;
 namespace {
 
 // Functions of one input.
-template <size_t InWidth, size_t OutWidth>
-qtraj_status map(Outcome (*core)(const UnaryRows<InWidth, OutWidth>&, size_t), const double* in, size_t count,
-                 double* out, size_t* bad_index) {
+template <size_t InWidth, size_t OutWidth, class Real>
+qtraj_status map(Outcome (*core)(const UnaryRows<InWidth, OutWidth>&, size_t), const Real* in, size_t count, Real* out,
+                 size_t* bad_index) {
   const UnaryRows<InWidth, OutWidth> rows = {input<InWidth>(in, count), output<OutWidth>(out, count)};
   return call({rows.in, rows.out}, {}, bad_index, [&] { return core(rows, count); });
 }
 
 // Functions of two inputs with counts of their own.
-template <size_t AWidth, size_t BWidth, size_t OutWidth>
-qtraj_status map_pairs(Outcome (*core)(const BinaryRows<AWidth, BWidth, OutWidth>&, size_t), const double* a,
-                       size_t a_count, const double* b, size_t b_count, size_t count, double* out, size_t* bad_index) {
+template <size_t AWidth, size_t BWidth, size_t OutWidth, class Real>
+qtraj_status map_pairs(Outcome (*core)(const BinaryRows<AWidth, BWidth, OutWidth>&, size_t), const Real* a,
+                       size_t a_count, const Real* b, size_t b_count, size_t count, Real* out, size_t* bad_index) {
   const BinaryRows<AWidth, BWidth, OutWidth> rows = {input<AWidth>(a, rows_of(a_count, count)),
                                                      input<BWidth>(b, rows_of(b_count, count)),
                                                      output<OutWidth>(out, count)};
@@ -47,6 +47,11 @@ extern "C" {
 
 qtraj_status qtraj_multiply(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                             double* q_out, size_t* bad_index) {
+  return map_pairs<4, 4, 4>(multiply, a, a_count, b, b_count, count, q_out, bad_index);
+}
+
+qtraj_status qtraj_multiply_f32(const float* a, size_t a_count, const float* b, size_t b_count, size_t count,
+                                float* q_out, size_t* bad_index) {
   return map_pairs<4, 4, 4>(multiply, a, a_count, b, b_count, count, q_out, bad_index);
 }
 

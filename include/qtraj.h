@@ -2625,6 +2625,19 @@ QTRAJ_API qtraj_status qtraj_columns_from_rows_f32(const float* rows, size_t wid
 QTRAJ_API qtraj_status qtraj_multiply(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                                       double* q_out, size_t* bad_index);
 
+/** Hamilton product a b of quaternions in float: twin of qtraj_multiply().
+ *
+ * @param a          [a_count][4], w x y z
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z
+ * @param b_count    1 or count
+ * @param count      number of products; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z; may be an input of count rows
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_multiply(); NOT_FINITE also for a product too large for float */
+QTRAJ_API qtraj_status qtraj_multiply_f32(const float* a, size_t a_count, const float* b, size_t b_count, size_t count,
+                                          float* q_out, size_t* bad_index);
+
 /** Conjugates (w, -x, -y, -z) of quaternions as they are: of unit ones the inverse rotations.
  *
  * @param q          [count][4], w x y z

@@ -38,6 +38,7 @@ Chords chords(const Quaternion& a, const Quaternion& b) {
   return {length_of(precise_sum(from, negate(to))), length_of(precise_sum(from, to))};
 }
 
+constexpr RowKernel<BinaryRows<4, 4, 4>> kMultiplyKernels[] = QTRAJ_OF_EACH_TARGET(multiply);
 constexpr RowKernel<RotateRows> kRotateKernels[] = QTRAJ_OF_EACH_TARGET(rotate);
 
 // Calls `compute(a, b)`, a number, for each pair of quaternions other than 0.
@@ -54,7 +55,8 @@ Outcome for_each_pair(const BinaryRows<4, 4, 1>& rows, size_t count, const Compu
 }  // namespace
 
 Outcome multiply(const BinaryRows<4, 4, 4>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Quaternion& product) {
+  const auto kernel = [&](size_t row) { return kMultiplyKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Quaternion& product) {
     if (!is_finite(rows.a, row) || !is_finite(rows.b, row)) return Status::not_finite;
     const Scaled<Quaternion> left = scale(row_of(rows.a, row)), right = scale(row_of(rows.b, row));
     product = unscale(Scaled<Quaternion>{multiply(left.value, right.value), left.steps + right.steps});

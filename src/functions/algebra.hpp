@@ -10,7 +10,7 @@
 
 namespace qtraj {
 
-// Hamilton product a b of quaternions as they are, 0 included. Within 2 eps |a| |b|.
+// Hamilton product a b of quaternions as they are, 0 included. Within 2 eps |a| |b|, of the arrays' type.
 Outcome multiply(const BinaryRows<4, 4, 4>& rows, size_t count);
 
 // (w, -x, -y, -z), exact, 0 included.

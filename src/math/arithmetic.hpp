@@ -79,9 +79,13 @@ inline double square_root(double x) { return __builtin_sqrt(x); }
 inline float square_root(float x) { return __builtin_sqrtf(x); }
 
 inline double absolute(double a) { return __builtin_fabs(a); }
+inline float absolute(float a) { return __builtin_fabsf(a); }
 inline double maximum(double a, double b) { return a < b ? b : a; }
+inline float maximum(float a, float b) { return a < b ? b : a; }
 inline double minimum(double a, double b) { return b < a ? b : a; }
+inline float minimum(float a, float b) { return b < a ? b : a; }
 inline double with_sign_of(double sign, double a) { return __builtin_copysign(a, sign); }
+inline float with_sign_of(float sign, float a) { return __builtin_copysignf(a, sign); }
 
 // The coefficients of a polynomial of coefficients.hpp in the precision of its argument.
 template <class Number, class Polynomial>

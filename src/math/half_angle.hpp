@@ -235,13 +235,15 @@ QTRAJ_INLINE void inverse_jacobian_times(const RateFactors<Number>& f, const Num
   for (size_t k = 0; k < 3; ++k) derivative[k] = w[k] + Number(0.5) * once[k] + weight * twice[k];
 }
 
-// The Hamilton product a b.
-template <class Number>
+// The Hamilton product a b, in any arithmetic. The terms are added in the order in which they are written; a component
+// is within 4 units of rounding, 2 eps, of |a| |b|, because sum |a_i b_j| is at most that.
+template <class Arithmetic, class Number>
 QTRAJ_INLINE void hamilton_product(const Number (&a)[4], const Number (&b)[4], Number (&product)[4]) {
-  product[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
-  product[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
-  product[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
-  product[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
+  const auto add = [](Number x, Number y, Number sum) { return Arithmetic::multiply_add(x, y, sum); };
+  product[0] = add(-a[3], b[3], add(-a[2], b[2], add(-a[1], b[1], a[0] * b[0])));
+  product[1] = add(-a[3], b[2], add(a[2], b[3], add(a[1], b[0], a[0] * b[1])));
+  product[2] = add(a[3], b[1], add(a[2], b[0], add(-a[1], b[3], a[0] * b[2])));
+  product[3] = add(a[3], b[0], add(-a[2], b[1], add(a[1], b[2], a[0] * b[3])));
 }
 
 // exp v - 1 (math/so3.hpp). sin_cos(angle) is of angles from 0 on.

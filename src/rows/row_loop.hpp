@@ -1,6 +1,6 @@
-// Rows of a caller's arrays as doubles: one row, or (wide_rows.hpp) one row per lane of a vector. Kernels over rows do
-// ordinary rows only. is_ordinary decides which ones these are, and do_rows stops at the first other one: it goes back
-// to the core, which knows all cases (functions/for_each_row.hpp).
+// Rows of a caller's arrays as doubles, or rows of float as floats: one row, or (wide_rows.hpp) one row per lane of a
+// vector. Kernels over rows do ordinary rows only. is_ordinary decides which ones these are, and do_rows stops at the
+// first other one: it goes back to the core, which knows all cases (functions/for_each_row.hpp).
 #pragma once
 
 #include <cstring>
@@ -44,11 +44,13 @@ QTRAJ_INLINE double largest_lane(Number a) {
 }
 
 // A row is ordinary where its largest component is of magnitude 2^-120 to 2^120. It is then finite and not 0, and
-// nothing made of it overflows, also in float, or loses digits by underflow. Tests the bits, because a comparison with
-// a NaN would raise FE_INVALID.
+// nothing made of it overflows, also in float, or loses digits by underflow. A row that is computed with in float is
+// where that magnitude is 2^-30 to 2^30. Tests the bits, because a comparison with a NaN would raise FE_INVALID.
 constexpr uint64_t kLeastOrdinary = uint64_t{1023 - 120} << 52, kPastOrdinary = uint64_t{1023 + 120} << 52;
 constexpr uint64_t kMagnitudeBits = ~uint64_t{0} >> 1, kOneBits = uint64_t{1023} << 52,
                    kInfinityBits = uint64_t{2047} << 52;
+constexpr uint32_t kLeastOrdinaryFloat = uint32_t{127 - 30} << 23, kPastOrdinaryFloat = uint32_t{127 + 30} << 23;
+constexpr uint32_t kFloatMagnitudeBits = ~uint32_t{0} >> 1;
 
 inline uint64_t bits_of(double value) {
   uint64_t bits;
@@ -65,6 +67,17 @@ QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
   }
   return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
 }
+template <size_t Size>
+QTRAJ_INLINE bool is_ordinary(const float (&v)[Size]) {
+  uint32_t largest = 0;
+  for (const float component : v) {
+    uint32_t magnitude;
+    std::memcpy(&magnitude, &component, sizeof magnitude);
+    magnitude &= kFloatMagnitudeBits;
+    largest = magnitude > largest ? magnitude : largest;
+  }
+  return largest - kLeastOrdinaryFloat < kPastOrdinaryFloat - kLeastOrdinaryFloat;
+}
 
 // Whether a component is of magnitude 2 or more, or NaN: only these have the highest bit of the exponent set.
 constexpr uint64_t kTwoBit = uint64_t{1} << 62;
@@ -79,19 +92,23 @@ QTRAJ_INLINE bool reaches_two(const double (&v)[Size]) {
 // 0 < fraction < 1.
 QTRAJ_INLINE bool is_inside(double fraction) { return bits_of(fraction) - 1 < kOneBits - 1; }
 
-template <class Real, size_t Width>
-QTRAJ_INLINE void convert_rows(const Real* from, size_t row, double (&to)[Width]) {
-  for (size_t k = 0; k < Width; ++k) to[k] = static_cast<double>(from[Width * row + k]);
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE void convert_rows(const Real* from, size_t row, Number (&to)[Width]) {
+  for (size_t k = 0; k < Width; ++k) to[k] = static_cast<Number>(from[Width * row + k]);
 }
-template <class Real, size_t Width>
-QTRAJ_INLINE void store_rows(const double (&from)[Width], Real* to, size_t row) {
+template <class Number, class Real, size_t Width>
+QTRAJ_INLINE void store_rows(const Number (&from)[Width], Real* to, size_t row) {
   for (size_t k = 0; k < Width; ++k) to[Width * row + k] = static_cast<Real>(from[k]);
 }
 
 // Whether rows may be converted to double: floats must be finite, because the conversion of a signalling NaN would
-// raise FE_INVALID; doubles need no conversion.
+// raise FE_INVALID; doubles need no conversion, nor do floats that stay floats.
 template <class Number, size_t Width>
 QTRAJ_INLINE bool can_convert(const double*, size_t, const Number (&)[Width]) {
+  return true;
+}
+template <size_t Width>
+QTRAJ_INLINE bool can_convert(const float*, size_t, const float (&)[Width]) {
   return true;
 }
 template <size_t Width>
@@ -127,7 +144,7 @@ template <class Real, class Number, size_t Width>
 QTRAJ_INLINE void read_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
   if (!is_repeated(array)) return convert_rows(from, row, to);
-  double one[Width];
+  Element<Number> one[Width];
   convert_rows(from, 0, one);
   for (size_t k = 0; k < Width; ++k) to[k] = Number(one[k]);
 }
@@ -136,7 +153,7 @@ QTRAJ_INLINE void read_numbers(const Input<Width>& array, size_t row, Number (&t
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_numbers(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   const Real* from = static_cast<const Real*>(array.data);
-  const double one[Width] = {};
+  const Element<Number> one[Width] = {};
   if (is_repeated(array) ? !can_convert(from, 0, one) : !can_convert(from, row, to)) return false;
   read_numbers<Real>(array, row, to);
   return true;
@@ -167,14 +184,20 @@ QTRAJ_INLINE bool load_fractions(const Input<1>& array, size_t row, Number (&to)
   return load_numbers<Real>(array, row, to) && all(is_inside(to[0]));
 }
 
-// Calls operation(row, real), which does one row per lane of a Number from that row on, until fewer rows are left or it
-// is false: it has then done nothing. `real` has the type of the arrays' numbers. Returns how many rows were done.
+// Calls operation(row), which does one row per lane of a Number from that row on, until fewer rows are left or it is
+// false: it has then done nothing. Returns how many rows were done.
+template <class Number, class Operation>
+QTRAJ_INLINE size_t do_rows(size_t first, size_t count, const Operation& operation) {
+  size_t row = first;
+  while (row + kLanesOf<Number> <= count && operation(row)) row += kLanesOf<Number>;
+  return row - first;
+}
+
+// The same of arrays of either type, computed with in Number: operation(row, real), `real` of the arrays' type.
 template <class Number, class Operation>
 size_t do_rows(bool is_float, size_t first, size_t count, const Operation& operation) {
   const auto do_rows_of = [&](auto real) {
-    size_t row = first;
-    while (row + kLanesOf<Number> <= count && operation(row, real)) row += kLanesOf<Number>;
-    return row - first;
+    return do_rows<Number>(first, count, [&](size_t row) { return operation(row, real); });
   };
   return is_float ? do_rows_of(float()) : do_rows_of(double());
 }

@@ -65,7 +65,7 @@ QTRAJ_INLINE void control_offset(const Number (&q)[4], const Number (&s)[3], con
     v[k] = Number(0.5) * (after ? turned - log[k] : log[k] - turned);
   }
   exponential_minus_one(v, sin_cos, factor);
-  hamilton_product(q, factor, offset);
+  hamilton_product<Plain>(q, factor, offset);
 }
 
 // Whether the arcs are close enough for the kernels' near form, as 1 or 0. The cosine of their distance at s in [-1, 1]

@@ -10,6 +10,8 @@ namespace {
 
 template <>
 constexpr size_t kLanesOf<Wide<double>> = Wide<double>::kLanes;
+template <>
+constexpr size_t kLanesOf<Wide<float>> = Wide<float>::kLanes;
 
 QTRAJ_INLINE unsigned lane_bits(WideMask<double> mask) {
   uint8_t bits[8] = {};
@@ -80,6 +82,21 @@ QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)
   to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2), to[3] = promoted(v3);
 }
 
+// Rows of float that are computed with in float.
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[1]) {
+  to[0] = Wide<float>::load(from + row);
+}
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[3]) {
+  hn::LoadInterleaved3(Wide<float>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
+}
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[4]) {
+  hn::LoadInterleaved4(Wide<float>::Tag(), from + 4 * row, to[0].lanes, to[1].lanes, to[2].lanes, to[3].lanes);
+}
+template <size_t Width>
+QTRAJ_INLINE bool can_convert(const float*, size_t, const Wide<float> (&)[Width]) {
+  return true;
+}
+
 template <size_t Width>
 QTRAJ_INLINE bool can_convert(const float* from, size_t row, const Wide<double> (&)[Width]) {
   const hn::RebindToUnsigned<FloatTag> tag;
@@ -92,9 +109,13 @@ QTRAJ_INLINE bool can_convert(const float* from, size_t row, const Wide<double> 
   return hn::AllFalse(tag, hn::Eq(largest, exponent));
 }
 
-template <size_t Width>
-QTRAJ_INLINE void store_rows(const Wide<double> (&from)[Width], double* to, size_t row) {
+template <class Real, size_t Width>
+QTRAJ_INLINE void store_rows(const Wide<Real> (&from)[Width], Real* to, size_t row) {
   store_interleaved(from, to + Width * row);
+}
+template <class Real>
+QTRAJ_INLINE void store_rows(const Wide<Real> (&from)[1], Real* to, size_t row) {
+  from[0].store(to + row);
 }
 QTRAJ_INLINE void store_rows(const Wide<double> (&from)[3], float* to, size_t row) {
   hn::StoreInterleaved3(demoted(from[0]), demoted(from[1]), demoted(from[2]), FloatTag(), to + 3 * row);
@@ -127,7 +148,7 @@ QTRAJ_INLINE void store_rows_apart(const Wide<double> (&from)[4], double* to, si
 #endif
 }
 
-// ---- Bits of doubles ----
+// ---- Bits ----
 
 using BitsTag = hn::RebindToUnsigned<Wide<double>::Tag>;
 
@@ -151,6 +172,17 @@ QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
     largest = hn::Max(largest, hn::BitCast(halves, magnitude));
   }
   return is_in_order(kLeastOrdinary >> 32, hn::ShiftRight<32>(hn::BitCast(tag, largest)), kPastOrdinary >> 32);
+}
+
+template <size_t Size>
+QTRAJ_INLINE WideMask<float> is_ordinary(const Wide<float> (&v)[Size]) {
+  const Wide<float>::Tag tag;
+  const hn::RebindToSigned<Wide<float>::Tag> bits;
+  auto largest = hn::Zero(bits);
+  for (const Wide<float>& component : v) largest = hn::Max(largest, hn::BitCast(bits, hn::Abs(component.lanes)));
+  const auto at_least = hn::Gt(largest, hn::Set(bits, static_cast<int32_t>(kLeastOrdinaryFloat - 1)));
+  const auto below = hn::Lt(largest, hn::Set(bits, static_cast<int32_t>(kPastOrdinaryFloat)));
+  return {hn::RebindMask(tag, hn::And(at_least, below))};
 }
 
 template <size_t Size>

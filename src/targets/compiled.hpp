@@ -34,12 +34,14 @@ struct VzeroupperAtExit {
 #endif
 };
 
-// The Number that rows are done in. run_rows does rows in vectors until these stop, at a vector with a row that is not
-// ordinary or at the end, and goes on one row after the other.
+// The Number that rows are done in, and what rows of float are that are computed with in float. run_rows does rows in
+// vectors until these stop, at a vector with a row that is not ordinary or at the end, and goes on one row after the
+// other.
 #if defined(QTRAJ_VECTORS)
 static_assert(HWY_TARGET == QTRAJ_VECTORS, "compiled with the flags of another target");
 
 using Number = Wide<double>;
+using FloatNumber = Wide<float>;
 
 template <auto vectors, auto scalar, class Rows>
 QTRAJ_INLINE size_t run_rows(const Rows& rows, size_t first, size_t count) {
@@ -49,6 +51,7 @@ QTRAJ_INLINE size_t run_rows(const Rows& rows, size_t first, size_t count) {
 }
 #else
 using Number = double;
+using FloatNumber = float;
 
 template <auto scalar, auto, class Rows>
 QTRAJ_INLINE size_t run_rows(const Rows& rows, size_t first, size_t count) {

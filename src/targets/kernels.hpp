@@ -19,6 +19,7 @@ namespace qtraj {
   SampleVectorsFunction<float> sample_vectors;                                             \
   SeriesFunction<double> sample_series;                                                    \
   SeriesFunction<float> sample_series;                                                     \
+  size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);            \
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                         \
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \

@@ -73,6 +73,13 @@ inline std::vector<RowFunction<float>> row_functions(float) {
            [](auto in, size_t count, auto out, size_t* bad) {
              return qtraj_rotate_f32(in[0], count, in[1], count, count, out[0], bad);
            }},
+          {"multiply_f32",
+           {{4}, {4}},
+           {4},
+           true,
+           [](auto in, size_t count, auto out, size_t* bad) {
+             return qtraj_multiply_f32(in[0], count, in[1], count, count, out[0], bad);
+           }},
           {"screw_pairs_f32",
            {{4, true}, {3}, {4, true}, {3}, {1}},
            {4, 3},
