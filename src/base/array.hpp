@@ -31,6 +31,12 @@ static inline Output<Width> output(Real* data, size_t rows) {
   return {data, rows, sizeof(Real) == sizeof(float)};
 }
 
+// Two outputs with a row each for every row of the input; the second may have no data.
+template <size_t Width>
+struct OutputPair {
+  Output<Width> first, second;
+};
+
 // `count` rows of an array from `first` on; none of an array without data.
 template <size_t Width>
 static inline size_t bytes_before(size_t row, bool is_float) {

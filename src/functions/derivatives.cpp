@@ -1,6 +1,7 @@
 #include "functions/derivatives.hpp"
 
 #include "math/scaled.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
@@ -45,11 +46,15 @@ Quaternion second_derivative(const Quaternion& unit, Frame frame, const Scaled<V
 // Twice the vector part.
 Vector3 rate_of(const Scaled<Quaternion>& p) { return unscale(Scaled<Vector3>{2.0 * vector_part(p.value), p.steps}); }
 
+constexpr RowKernel<RatesToDerivatives> kDerivativeKernels[] = QTRAJ_OF_EACH_TARGET(derivatives_from_rates);
+constexpr RowKernel<DerivativesToRates> kRateKernels[] = QTRAJ_OF_EACH_TARGET(rates_from_derivatives);
+
 }  // namespace
 
 Outcome derivatives_from_rates(const RatesToDerivatives& rows, size_t count) {
   const bool has_alpha = rows.alpha.data != nullptr;
-  return for_each_row(count, rows.derivatives, [&](size_t row, RowPair<4>& derivatives) {
+  const auto kernel = [&](size_t row) { return kDerivativeKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.derivatives, kernel, [&](size_t row, RowPair<4>& derivatives) {
     if (!is_finite(rows.q_wb, row) || !is_finite(rows.omega, row)) return Status::not_finite;
     if (has_alpha && !is_finite(rows.alpha, row)) return Status::not_finite;
     if (is_zero(rows.q_wb, row)) return Status::zero_norm;
@@ -63,7 +68,8 @@ Outcome derivatives_from_rates(const RatesToDerivatives& rows, size_t count) {
 
 Outcome rates_from_derivatives(const DerivativesToRates& rows, size_t count) {
   const bool has_ddq = rows.ddq.data != nullptr;
-  return for_each_row(count, rows.rates, [&](size_t row, RowPair<3>& rates) {
+  const auto kernel = [&](size_t row) { return kRateKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.rates, kernel, [&](size_t row, RowPair<3>& rates) {
     if (!is_finite(rows.q_wb, row) || !is_finite(rows.dq, row)) return Status::not_finite;
     if (has_ddq && !is_finite(rows.ddq, row)) return Status::not_finite;
     if (is_zero(rows.q_wb, row)) return Status::zero_norm;

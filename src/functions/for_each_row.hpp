@@ -104,11 +104,7 @@ Row<Width> zero_row(const Output<Width>&) {
   return Row<Width>::Zero();
 }
 
-// Two outputs with a row each for every row of the input; the second may have no data. A row at fault is NaN in both.
-template <size_t Width>
-struct OutputPair {
-  Output<Width> first, second;
-};
+// A row at fault is NaN in both outputs.
 template <size_t Width>
 struct RowPair {
   Row<Width> first, second;

@@ -30,6 +30,19 @@ struct RotateRows {
   Output<3> v_world;
 };
 
+// Derivatives of q / |q| from rates, and back; alpha and the second derivative may have no data.
+struct RatesToDerivatives {
+  Frame frame;
+  Input<4> q_wb;
+  Input<3> omega, alpha;
+  OutputPair<4> derivatives;
+};
+struct DerivativesToRates {
+  Frame frame;
+  Input<4> q_wb, dq, ddq;
+  OutputPair<3> rates;
+};
+
 struct NormalizeRows {
   Input<4> q;
   Output<4> q_out;

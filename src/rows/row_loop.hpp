@@ -59,13 +59,22 @@ inline uint64_t bits_of(double value) {
 }
 
 template <size_t Size>
-QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
+QTRAJ_INLINE uint64_t largest_bits(const double (&v)[Size]) {
   uint64_t largest = 0;
   for (const double component : v) {
     const uint64_t magnitude = bits_of(component) & kMagnitudeBits;
     largest = magnitude > largest ? magnitude : largest;
   }
-  return largest - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
+  return largest;
+}
+template <size_t Size>
+QTRAJ_INLINE bool is_ordinary(const double (&v)[Size]) {
+  return largest_bits(v) - kLeastOrdinary < kPastOrdinary - kLeastOrdinary;
+}
+// Ordinary or of smaller components, 0 included: for what may lose digits by underflow where its results do.
+template <size_t Size>
+QTRAJ_INLINE bool is_bounded(const double (&v)[Size]) {
+  return largest_bits(v) < kPastOrdinary;
 }
 template <size_t Size>
 QTRAJ_INLINE bool is_ordinary(const float (&v)[Size]) {
@@ -173,10 +182,14 @@ QTRAJ_INLINE bool load_own_rows(const Input<Width>& array, size_t row, Number (&
   return load_own_numbers<Real>(array, row, to) && all(is_ordinary(to));
 }
 
-// load_numbers; false also where a row is not ordinary.
+// load_numbers; false also where a row is not ordinary, or not bounded.
 template <class Real, class Number, size_t Width>
 QTRAJ_INLINE bool load_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
   return load_numbers<Real>(array, row, to) && all(is_ordinary(to));
+}
+template <class Real, class Number, size_t Width>
+QTRAJ_INLINE bool load_bounded_rows(const Input<Width>& array, size_t row, Number (&to)[Width]) {
+  return load_numbers<Real>(array, row, to) && all(is_bounded(to));
 }
 // load_numbers; false also where a fraction is not between 0 and 1.
 template <class Real, class Number>

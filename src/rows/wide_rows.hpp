@@ -161,9 +161,10 @@ QTRAJ_INLINE WideMask<double> is_in_order(uint64_t least, hn::Vec<BitsTag> bits,
       hn::RebindMask(Wide<double>::Tag(), hn::And(at_least, hn::Lt(value, hn::Set(tag, static_cast<int64_t>(past)))))};
 }
 
+// The upper half of the largest magnitude.
 template <size_t Size>
-QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
-  // the maximum of each 32-bit half: the limits depend on the upper halves alone
+QTRAJ_INLINE hn::Vec<BitsTag> largest_upper_half(const Wide<double> (&v)[Size]) {
+  // the maximum of each 32-bit half: limits depend on the upper halves alone
   const hn::Repartition<uint32_t, Wide<double>::Tag> halves;
   const BitsTag tag;
   auto largest = hn::Zero(halves);
@@ -171,7 +172,15 @@ QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
     const auto magnitude = hn::And(hn::BitCast(tag, component.lanes), hn::Set(tag, kMagnitudeBits));
     largest = hn::Max(largest, hn::BitCast(halves, magnitude));
   }
-  return is_in_order(kLeastOrdinary >> 32, hn::ShiftRight<32>(hn::BitCast(tag, largest)), kPastOrdinary >> 32);
+  return hn::ShiftRight<32>(hn::BitCast(tag, largest));
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> is_ordinary(const Wide<double> (&v)[Size]) {
+  return is_in_order(kLeastOrdinary >> 32, largest_upper_half(v), kPastOrdinary >> 32);
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> is_bounded(const Wide<double> (&v)[Size]) {
+  return is_in_order(0, largest_upper_half(v), kPastOrdinary >> 32);
 }
 
 template <size_t Size>

@@ -11,35 +11,37 @@
 
 namespace qtraj {
 
-#define QTRAJ_DECLARE_KERNELS(name, arithmetic, runs_here, unused)                         \
-  namespace name {                                                                         \
-  SampleFunction<double> sample;                                                           \
-  SampleFunction<float> sample;                                                            \
-  SampleVectorsFunction<double> sample_vectors;                                            \
-  SampleVectorsFunction<float> sample_vectors;                                             \
-  SeriesFunction<double> sample_series;                                                    \
-  SeriesFunction<float> sample_series;                                                     \
-  size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);            \
-  size_t slerp(const PairRows& pairs, size_t first, size_t count);                         \
-  size_t nlerp(const PairRows& pairs, size_t first, size_t count);                         \
-  size_t rotate(const RotateRows& rows, size_t first, size_t count);                       \
-  size_t normalize(const NormalizeRows& rows, size_t first, size_t count);                 \
-  size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count);          \
-  size_t rows_from_columns(const RowsOfColumns<double>& table, size_t count);              \
-  size_t rows_from_columns(const RowsOfColumns<float>& table, size_t count);               \
-  size_t columns_from_rows(const ColumnsOfRows<double>& table, size_t count);              \
-  size_t columns_from_rows(const ColumnsOfRows<float>& table, size_t count);               \
-  size_t clean_keys(const CleanRows& rows, size_t first, size_t count);                    \
-  size_t arcs(const ArcRows& rows, size_t first, size_t count);                            \
-  size_t hermite(const HermiteRows& rows, size_t first, size_t count);                     \
-  size_t squad_chords(const SquadRows& rows, size_t first, size_t count);                  \
-  size_t squad_half_rates(const SquadRows& rows, size_t first, size_t count);              \
-  size_t squad_segments(const SquadRows& rows, size_t first, size_t count);                \
-  size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count); \
-  size_t jacobians(const JacobianRecords& records, size_t first, size_t count);            \
-  size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count);             \
-  size_t add_scatter(const ScatterRows& rows, size_t first, size_t count);                 \
-  size_t add_logs(const LogRows& rows, size_t first, size_t count);                        \
+#define QTRAJ_DECLARE_KERNELS(name, arithmetic, runs_here, unused)                           \
+  namespace name {                                                                           \
+  SampleFunction<double> sample;                                                             \
+  SampleFunction<float> sample;                                                              \
+  SampleVectorsFunction<double> sample_vectors;                                              \
+  SampleVectorsFunction<float> sample_vectors;                                               \
+  SeriesFunction<double> sample_series;                                                      \
+  SeriesFunction<float> sample_series;                                                       \
+  size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);              \
+  size_t slerp(const PairRows& pairs, size_t first, size_t count);                           \
+  size_t nlerp(const PairRows& pairs, size_t first, size_t count);                           \
+  size_t rotate(const RotateRows& rows, size_t first, size_t count);                         \
+  size_t derivatives_from_rates(const RatesToDerivatives& rows, size_t first, size_t count); \
+  size_t rates_from_derivatives(const DerivativesToRates& rows, size_t first, size_t count); \
+  size_t normalize(const NormalizeRows& rows, size_t first, size_t count);                   \
+  size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count);            \
+  size_t rows_from_columns(const RowsOfColumns<double>& table, size_t count);                \
+  size_t rows_from_columns(const RowsOfColumns<float>& table, size_t count);                 \
+  size_t columns_from_rows(const ColumnsOfRows<double>& table, size_t count);                \
+  size_t columns_from_rows(const ColumnsOfRows<float>& table, size_t count);                 \
+  size_t clean_keys(const CleanRows& rows, size_t first, size_t count);                      \
+  size_t arcs(const ArcRows& rows, size_t first, size_t count);                              \
+  size_t hermite(const HermiteRows& rows, size_t first, size_t count);                       \
+  size_t squad_chords(const SquadRows& rows, size_t first, size_t count);                    \
+  size_t squad_half_rates(const SquadRows& rows, size_t first, size_t count);                \
+  size_t squad_segments(const SquadRows& rows, size_t first, size_t count);                  \
+  size_t relative_rotations(const RelativeRotationRows& rows, size_t first, size_t count);   \
+  size_t jacobians(const JacobianRecords& records, size_t first, size_t count);              \
+  size_t raise_to_weights(const WeightRows& rows, size_t first, size_t count);               \
+  size_t add_scatter(const ScatterRows& rows, size_t first, size_t count);                   \
+  size_t add_logs(const LogRows& rows, size_t first, size_t count);                          \
   }
 QTRAJ_EACH_TARGET(QTRAJ_DECLARE_KERNELS, )
 QTRAJ_DECLARE_KERNELS(scalar_fused, fused, , )
