@@ -5,6 +5,7 @@
 #include "math/so3.hpp"
 #include "math/trigonometry.hpp"
 #include "rows/squad_segment.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 
@@ -157,13 +158,58 @@ Status read_curve(const SquadSegmentRows& segment, SquadCurve& curve) {
   return Status::ok;
 }
 
+constexpr RowKernel<PairRows> kSlerpKernels[] = QTRAJ_OF_EACH_TARGET(slerp);
+
+// The kernel of one segment: that of pairs, three times over chunks of rows. It leaves to the core what that leaves.
+class SquadInVectors {
+ public:
+  SquadInVectors(const SquadSegmentRows& segment, size_t count)
+      : slerp_(kSlerpKernels[target()]), segment_(segment), count_(count) {}
+
+  // Does rows from `first` on and returns how many.
+  size_t operator()(size_t first) {
+    size_t row = first;
+    while (arcs_are_ordinary_ && row < count_) {
+      const size_t rows = std::min(kChunk, count_ - row), done = blend(row, rows);
+      row += done;
+      if (done < rows) break;
+    }
+    return row - first;
+  }
+
+ private:
+  static constexpr size_t kChunk = 32;
+
+  size_t blend(size_t first, size_t rows) {
+    double p[kChunk][4], c[kChunk][4], f[kChunk];
+    const Input<1> u = rows_from(segment_.fraction, first, rows);
+    const size_t of_keys = slerp_({segment_.q0, segment_.q1, u, Path::as_given, output<4>(p[0], rows)}, 0, rows);
+    const size_t of_both = slerp_({segment_.a, segment_.b, u, Path::as_given, output<4>(c[0], of_keys)}, 0, of_keys);
+    arcs_are_ordinary_ = of_both == of_keys;  // the fractions are: the first call did them
+    for (size_t row = 0; row < of_both; ++row) {
+      const double at = number_of(u, row);
+      f[row] = 2.0 * at * (1.0 - at);
+    }
+    return slerp_({input<4>(p[0], rows), input<4>(c[0], rows), input<1>(f, rows), Path::as_given,
+                   rows_from(segment_.q, first, rows)},
+                  0, of_both);
+  }
+
+  const RowKernel<PairRows> slerp_;
+  const SquadSegmentRows& segment_;
+  const size_t count_;
+  bool arcs_are_ordinary_ = true;
+};
+
 }  // namespace
 
 Outcome squad_segment(const SquadSegmentRows& segment, size_t count) {
   if (count == 0) return {};
   SquadCurve curve;
   const Status status = read_curve(segment, curve);
-  return for_each_row(count, segment.q, [&](size_t row, Quaternion& q) {
+  SquadInVectors in_vectors(segment, count);
+  const auto kernel = [&](size_t row) { return in_vectors(row); };
+  return for_each_row(count, segment.q, kernel, [&](size_t row, Quaternion& q) {
     if (!is_finite(segment.fraction, row)) return Status::not_finite;
     if (status != Status::ok) return status;
     return curve.at(number_of(segment.fraction, row), q);
