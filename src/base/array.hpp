@@ -53,6 +53,12 @@ static inline Output<Width> rows_from(const Output<Width>& array, size_t first, 
   return {data ? data + bytes_before<Width>(first, array.is_float) : nullptr, count, array.is_float};
 }
 
+// The same of an array that one row of may serve all.
+template <size_t Width>
+static inline Input<Width> chunk_of(const Input<Width>& array, size_t first, size_t count) {
+  return array.rows == 1 ? array : rows_from(array, first, count);
+}
+
 // Arguments of functions over rows with one input and with two.
 template <size_t InWidth, size_t OutWidth>
 struct UnaryRows {

@@ -182,7 +182,7 @@ class SquadInVectors {
 
   size_t blend(size_t first, size_t rows) {
     double p[kChunk][4], c[kChunk][4], f[kChunk];
-    const Input<1> u = rows_from(segment_.fraction, first, rows);
+    const Input<1> u = chunk_of(segment_.fraction, first, rows);
     const size_t of_keys = slerp_({segment_.q0, segment_.q1, u, Path::as_given, output<4>(p[0], rows)}, 0, rows);
     const size_t of_both = slerp_({segment_.a, segment_.b, u, Path::as_given, output<4>(c[0], of_keys)}, 0, of_keys);
     arcs_are_ordinary_ = of_both == of_keys;  // the fractions are: the first call did them

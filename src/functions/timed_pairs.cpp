@@ -9,6 +9,7 @@ namespace {
 
 constexpr RowKernel<PairRows> kSlerpKernels[] = QTRAJ_OF_EACH_TARGET(slerp);
 constexpr RowKernel<PairRows> kNlerpKernels[] = QTRAJ_OF_EACH_TARGET(nlerp);
+constexpr RowKernel<FractionRows> kFractionKernels[] = QTRAJ_OF_EACH_TARGET(fractions);
 
 double time_at(const Input<1>& times, size_t row) {
   return static_cast<const double*>(times.data)[first_element(times, row)];
@@ -101,7 +102,12 @@ class BetweenEnds {
  private:
   // Reads fractions from `row` on, up to one that is not between 0 and 1.
   void read_fractions(size_t row) {
-    for (begin_ = end_ = row; end_ < count_ && end_ - begin_ < kChunk; ++end_) {
+    const size_t rows = std::min(kChunk, count_ - row);
+    const FractionRows chunk = {chunk_of(pairs_.times, row, rows), chunk_of(pairs_.time_a, row, rows),
+                                chunk_of(pairs_.time_b, row, rows), fractions_};
+    begin_ = row;
+    end_ = row + kFractionKernels[target()](chunk, 0, rows);
+    for (; end_ < row + rows; ++end_) {
       double& fraction = fractions_[end_ - begin_];
       if (given_.read(end_, fraction) != Status::ok || !(fraction > 0 && fraction < 1)) break;
     }

@@ -24,6 +24,13 @@ struct PairRows {
   Output<4> q;
 };
 
+// Times as fractions of intervals, from time_a on. Intervals that are empty, tiny or extreme, and times that are not
+// inside theirs, are not ordinary.
+struct FractionRows {
+  Input<1> times, time_a, time_b;
+  double* fraction;
+};
+
 struct RotateRows {
   Input<4> q_wb;
   Input<3> v_body;

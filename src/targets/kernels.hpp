@@ -22,6 +22,7 @@ namespace qtraj {
   size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);              \
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                           \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                           \
+  size_t fractions(const FractionRows& rows, size_t first, size_t count);                    \
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                         \
   size_t derivatives_from_rates(const RatesToDerivatives& rows, size_t first, size_t count); \
   size_t rates_from_derivatives(const DerivativesToRates& rows, size_t first, size_t count); \
