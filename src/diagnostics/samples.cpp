@@ -5,6 +5,7 @@
 #include "functions/keys.hpp"
 #include "math/error_free.hpp"
 #include "math/so3.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
@@ -24,6 +25,16 @@ class SampleCheck {
     ++index_;
     times_increase_ = times_increase_ && time_status == Status::ok;
     return time_status == Status::not_finite || key_status == Status::ok ? time_status : key_status;
+  }
+
+  // Whether the span to a time of ordinary size cannot overflow.
+  bool has_common_start() const { return has_time_ && std::abs(first_time_) < 0x1p1000; }
+
+  // Passes over samples that are known to be without a fault.
+  void pass(size_t count) {
+    if (count == 0) return;
+    index_ += count;
+    last_time_ = samples_.time(index_ - 1);
   }
 
   // Whether no time so far is at fault.
@@ -106,6 +117,8 @@ Status jump_at(const Samples& samples, double time, Frame frame, Vector3& jump) 
   return status_before != Status::ok ? status_before : status_after;
 }
 
+constexpr RowKernel<MeanRateRows> kMeanRateKernels[] = QTRAJ_OF_EACH_TARGET(mean_rates);
+
 // Index of the sample nearest to a finite time.
 size_t nearest_sample(const Samples& samples, double time) {
   const size_t later = samples_before(samples, time);
@@ -117,10 +130,18 @@ size_t nearest_sample(const Samples& samples, double time) {
 }  // namespace
 
 Outcome estimate_omega(const Samples& samples, Frame frame, const Output<1>& t_mid, const Output<3>& omega) {
+  const MeanRateRows rows = {frame, samples.times, samples.q_wb, t_mid, omega};
+  const auto kernel = kMeanRateKernels[target()];
   SampleCheck check(samples);
   Outcome first_fault;
   bool usable_before = false;
   for (size_t k = 0; k < samples.count(); ++k) {
+    if (usable_before && check.has_common_start()) {
+      const size_t done = kernel(rows, k - 1, samples.count() - 1);
+      check.pass(done);
+      k += done;
+      if (k == samples.count()) break;
+    }
     Status status = check.next();
     const bool usable = status == Status::ok;
     if (k > 0 && usable && usable_before) {

@@ -50,6 +50,16 @@ struct DerivativesToRates {
   OutputPair<3> rates;
 };
 
+// Mean rates from each row to the next one, `count` of rows that are one more; t_mid may have no data. Neighbours about
+// half a turn apart, and times that are out of order or extreme, are not ordinary.
+struct MeanRateRows {
+  Frame frame;
+  Input<1> times;
+  Input<4> q_wb;
+  Output<1> t_mid;
+  Output<3> omega;
+};
+
 struct NormalizeRows {
   Input<4> q;
   Output<4> q_out;

@@ -23,6 +23,7 @@ namespace qtraj {
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                           \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                           \
   size_t fractions(const FractionRows& rows, size_t first, size_t count);                    \
+  size_t mean_rates(const MeanRateRows& rows, size_t first, size_t count);                   \
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                         \
   size_t derivatives_from_rates(const RatesToDerivatives& rows, size_t first, size_t count); \
   size_t rates_from_derivatives(const DerivativesToRates& rows, size_t first, size_t count); \
