@@ -119,13 +119,59 @@ Status jump_at(const Samples& samples, double time, Frame frame, Vector3& jump) 
 
 constexpr RowKernel<MeanRateRows> kMeanRateKernels[] = QTRAJ_OF_EACH_TARGET(mean_rates);
 
-// Index of the sample nearest to a finite time.
-size_t nearest_sample(const Samples& samples, double time) {
-  const size_t later = samples_before(samples, time);
-  if (later == 0) return 0;
-  if (later == samples.count()) return later - 1;
-  return is_nearer_to_earlier(time, samples.time(later - 1), samples.time(later)) ? later - 1 : later;
-}
+// The samples nearest to times, looked for from the last one found on: times in order find theirs in a step or two.
+class NearestSample {
+ public:
+  explicit NearestSample(const Samples& samples) : samples_(samples) {}
+
+  // The index of that to a finite time.
+  size_t operator()(double time) {
+    later_ = samples_before(time);
+    if (later_ == 0) return 0;
+    if (later_ == samples_.count()) return later_ - 1;
+    return is_nearer_to_earlier(time, samples_.time(later_ - 1), samples_.time(later_)) ? later_ - 1 : later_;
+  }
+
+ private:
+  size_t samples_before(double time) const {
+    const bool goes_on = later_ > 0 && samples_.time(later_ - 1) < time;
+    size_t begin = goes_on ? later_ : 0, end = begin;
+    for (size_t stride = 1; end < samples_.count() && samples_.time(end) < time; stride *= 2) {
+      begin = end + 1;
+      end += stride;
+    }
+    const double* const times = times_of(samples_);
+    return static_cast<size_t>(std::lower_bound(times + begin, times + std::min(end, samples_.count()), time) - times);
+  }
+
+  const Samples& samples_;
+  size_t later_ = 0;
+};
+
+// Angles between pairs, written to the rows that they belong to. They are collected, as many at a time as pay.
+class PairAngles {
+ public:
+  explicit PairAngles(const Output<1>& angles) : angles_(angles) {}
+
+  void add(const Quaternion& a, const Quaternion& b, size_t row) {
+    store(a, a_[count_]);
+    store(b, b_[count_]);
+    rows_[count_++] = row;
+    if (count_ == kMost) write();
+  }
+  void write() {
+    double angle[kMost];
+    rotation_angle({input<4>(a_[0], count_), input<4>(b_[0], count_), output<1>(angle, count_)}, count_);
+    for (size_t k = 0; k < count_; ++k) write_row(angles_, rows_[k], Row<1>(angle[k]));
+    count_ = 0;
+  }
+
+ private:
+  static constexpr size_t kMost = 32;
+  const Output<1>& angles_;
+  double a_[kMost][4], b_[kMost][4];
+  size_t rows_[kMost], count_ = 0;
+};
 
 }  // namespace
 
@@ -202,19 +248,22 @@ Outcome estimate_jumps(const Samples& samples, const double* knots, size_t knot_
 
 Outcome keyframe_errors(const Samples& keys, const Samples& samples, const Output<1>& error, size_t* index) {
   const SamplesVerdict verdict = check_samples(samples);
+  NearestSample nearest_to(samples);
+  PairAngles angles(error);
   Outcome first_fault;
   for (size_t k = 0; k < keys.count(); ++k) {
     const Status status = is_finite(keys.time(k)) ? check_key(keys.q_wb, k) : Status::not_finite;
     record(first_fault, status, k);
     size_t nearest = kNoIndex;
-    if (status == Status::ok && verdict.times_increase) nearest = nearest_sample(samples, keys.time(k));
+    if (status == Status::ok && verdict.times_increase) nearest = nearest_to(keys.time(k));
     const bool usable = nearest != kNoIndex && check_key(samples.q_wb, nearest) == Status::ok;
     if (index) index[k] = usable ? nearest : kNoIndex;
     if (usable)
-      write_row(error, k, Row<1>(rotation_angle(row_of(keys.q_wb, k), row_of(samples.q_wb, nearest))));
+      angles.add(row_of(keys.q_wb, k), row_of(samples.q_wb, nearest), k);
     else
       write_nan(error, k);
   }
+  angles.write();
   if (verdict.first_fault.status != Status::ok)
     record(first_fault, verdict.first_fault.status, keys.count() + verdict.first_fault.index);
   return first_fault;
