@@ -31,7 +31,7 @@ QTRAJ_INLINE bool discard_block(BlockSum<Size>& sums) {
 // spilled to the stack.
 template <class Arithmetic, class Vector, size_t Size>
 QTRAJ_INLINE void add_products(const Vector (&left)[Size], const Vector (&right)[Size], Vector (&sum)[Size]) {
-  for (size_t k = 0; k < Size; ++k) sum[k] = Arithmetic::multiply_add(left[k], right[k], sum[k]);
+  each_of<Size>([&](size_t k) { sum[k] = Arithmetic::multiply_add(left[k], right[k], sum[k]); });
 }
 
 // Adds `rows` rows, a multiple of kSumLanes, to the open block. add_terms(row, sum) adds the terms of one row per lane
@@ -41,10 +41,10 @@ QTRAJ_INLINE bool add_rows(size_t rows, const AddTerms& add_terms, BlockSum<Size
   static_assert(kSumLanes % kLanesOf<Vector> == 0, "lanes of a sum in whole vectors");
   for (size_t lane = 0; lane < kSumLanes; lane += kLanesOf<Vector>) {
     Vector sum[Size];
-    for (size_t k = 0; k < Size; ++k) sum[k] = load_lanes(&sums.open[k][lane], Vector());
+    each_of<Size>([&](size_t k) { sum[k] = load_lanes(&sums.open[k][lane], Vector()); });
     for (size_t row = lane; row < rows; row += kSumLanes)
       if (!add_terms(row, sum)) return false;
-    for (size_t k = 0; k < Size; ++k) store_lanes(sum[k], &sums.open[k][lane]);
+    each_of<Size>([&](size_t k) { store_lanes(sum[k], &sums.open[k][lane]); });
   }
   return true;
 }
