@@ -47,10 +47,14 @@ QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to
 QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[3]) {
   hn::LoadInterleaved3(Wide<double>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
 }
-QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
 #if HWY_TARGET == HWY_AVX3
+QTRAJ_INLINE __m512d load_converted(const double* from) { return _mm512_loadu_pd(from); }
+QTRAJ_INLINE __m512d load_converted(const float* from) { return _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
+
+template <class Real>
+QTRAJ_INLINE void convert_rows(const Real* from, size_t row, Wide<double> (&to)[4]) {
   // one vpermt2pd picks any 8 of 16 numbers: first two fields of four rows, then one field of all eight
-  const auto load = [&](size_t lane) { return _mm512_loadu_pd(from + 4 * (row + lane)); };
+  const auto load = [&](size_t lane) { return load_converted(from + 4 * (row + lane)); };
   const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13),
                 last = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
   const __m512d rows01 = load(0), rows23 = load(2), rows45 = load(4), rows67 = load(6);
@@ -62,12 +66,19 @@ QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to
   to[1].lanes.raw = _mm512_shuffle_f64x2(low01, high01, 0xee);
   to[2].lanes.raw = _mm512_insertf64x4(low23, _mm512_castpd512_pd256(high23), 1);
   to[3].lanes.raw = _mm512_shuffle_f64x2(low23, high23, 0xee);
+}
 #else
+QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
   const double* rows[Wide<double>::kLanes];
   for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane) rows[lane] = from + 4 * (row + lane);
   load_records(rows, to);
-#endif
 }
+QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[4]) {
+  hn::Vec<FloatTag> v0, v1, v2, v3;
+  hn::LoadInterleaved4(FloatTag(), from + 4 * row, v0, v1, v2, v3);
+  to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2), to[3] = promoted(v3);
+}
+#endif
 QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[1]) {
   to[0] = promoted(hn::LoadU(FloatTag(), from + row));
 }
@@ -75,11 +86,6 @@ QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)
   hn::Vec<FloatTag> v0, v1, v2;
   hn::LoadInterleaved3(FloatTag(), from + 3 * row, v0, v1, v2);
   to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2);
-}
-QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[4]) {
-  hn::Vec<FloatTag> v0, v1, v2, v3;
-  hn::LoadInterleaved4(FloatTag(), from + 4 * row, v0, v1, v2, v3);
-  to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2), to[3] = promoted(v3);
 }
 
 // Rows of float that are computed with in float.
