@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "base/floating.hpp"
-#include "math/error_free.hpp"
+#include "math/weighted_mean.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
@@ -15,15 +16,7 @@ Status check_ends(double first, double last) {
   return last < first ? Status::time_order : Status::ok;
 }
 
-// (a weight_a + b weight_b) / divisor, |a| and |b| below 4, weights integers up to the divisor.
-double weighted_mean(double a, double weight_a, double b, double weight_b, double divisor) {
-  const DoubleDouble part_a = two_product(a, weight_a), part_b = two_product(b, weight_b);
-  const DoubleDouble sum = two_sum(part_a.value, part_b.value);
-  const double sum_error = sum.error + (part_a.error + part_b.error);
-  const double quotient = (sum.value + sum_error) / divisor;
-  const DoubleDouble product = two_product(quotient, divisor);
-  return quotient + (((sum.value - product.value) - product.error) + sum_error) / divisor;
-}
+constexpr RowKernel<EvenTimeRows> kEvenTimeKernels[] = QTRAJ_OF_EACH_TARGET(even_times);
 
 }  // namespace
 
@@ -39,19 +32,19 @@ Status even_times(double first, double last, size_t count, double* times) {
 }
 
 void write_even_times(double first, double last, size_t count, size_t begin, size_t rows, double* times) {
-  const double larger = std::max(std::abs(first), std::abs(last));
-  const double scale = larger > 0 ? normalizing_scale(larger) : 1.0;
-  const double intervals = static_cast<double>(count - 1);
-  for (size_t k = 0; k < rows; ++k) {
-    const size_t i = begin + k;
-    const double steps = static_cast<double>(i);
-    if (i == 0)
-      times[k] = first;
-    else if (i + 1 == count)
-      times[k] = last;
-    else
-      times[k] = weighted_mean(scale * first, intervals - steps, scale * last, steps, intervals) / scale;
+  if (count == 1) {
+    std::fill_n(times, rows, first);
+    return;
   }
+  const double larger = std::max(std::abs(first), std::abs(last));
+  const double scale = larger > 0 ? normalizing_scale(larger) : 1.0, intervals = static_cast<double>(count - 1);
+  const size_t done = kEvenTimeKernels[target()]({first, last, scale, count, begin, times}, 0, rows);
+  for (size_t k = done; k < rows; ++k) {
+    const double steps = static_cast<double>(begin + k);
+    times[k] = weighted_mean(scale * first, intervals - steps, scale * last, steps, intervals) / scale;
+  }
+  if (begin == 0 && rows > 0) times[0] = first;
+  if (begin + rows == count && rows > 0) times[rows - 1] = last;
 }
 
 void segment_times(const double* knots, size_t count, size_t per_segment, double* times) {

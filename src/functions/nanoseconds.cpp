@@ -1,5 +1,7 @@
 #include "functions/nanoseconds.hpp"
 
+#include "targets/kernels.hpp"
+
 namespace qtraj {
 namespace {
 
@@ -20,6 +22,8 @@ double rounded_quotient(uint64_t ns) {
   return static_cast<double>(rounded) / static_cast<double>(uint64_t{1} << (shift - 1));
 }
 
+constexpr RowKernel<NanosecondRows> kNanosecondKernels[] = QTRAJ_OF_EACH_TARGET(seconds_from_ns);
+
 double seconds_of(uint64_t ns) {
   // both exact, so that the division rounds once
   if (ns <= uint64_t{1} << 53) return static_cast<double>(ns) / static_cast<double>(kPerSecond);
@@ -31,7 +35,10 @@ double seconds_of(uint64_t ns) {
 void seconds_from_ns(const int64_t* ns, size_t count, int64_t origin, double* seconds) {
   // differences of unsigned numbers are exact modulo 2^64, and the magnitude is below that
   const auto from = static_cast<uint64_t>(origin);
+  const NanosecondRows rows = {ns, origin, seconds};
   for (size_t i = 0; i < count; ++i) {
+    i += kNanosecondKernels[target()](rows, i, count);
+    if (i == count) break;
     const int64_t stamp = ns[i];
     const auto to = static_cast<uint64_t>(stamp);
     seconds[i] = stamp < origin ? -seconds_of(from - to) : seconds_of(to - from);

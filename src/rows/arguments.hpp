@@ -37,6 +37,21 @@ struct RotateRows {
   Output<3> v_world;
 };
 
+// Times `begin`, `begin` + 1, ... of `count` even ones (functions/even_times.hpp), the ends as they are computed too;
+// `scale` is the power of two that takes the larger end to [1, 2). First and last in order.
+struct EvenTimeRows {
+  double first, last, scale;
+  size_t count, begin;
+  double* times;
+};
+
+// Seconds from `origin`. Stamps more than 2^53 ns from it are not ordinary.
+struct NanosecondRows {
+  const int64_t* ns;
+  int64_t origin;
+  double* seconds;
+};
+
 // Derivatives of q / |q| from rates, and back; alpha and the second derivative may have no data.
 struct RatesToDerivatives {
   Frame frame;

@@ -30,6 +30,9 @@ inline unsigned parities(unsigned bits) {
 QTRAJ_INLINE double load_lanes(const double* from, double) { return *from; }
 QTRAJ_INLINE void store_lanes(double a, double* to) { *to = a; }
 
+// The number of each lane: 0, 1, ...
+QTRAJ_INLINE double lane_numbers(double) { return 0; }
+
 // The lanes moved up by one, and a number in the first.
 QTRAJ_INLINE double preceded_by(double first, double) { return first; }
 
@@ -96,6 +99,17 @@ QTRAJ_INLINE bool reaches_two(const double (&v)[Size]) {
   uint64_t bits = 0;
   for (const double component : v) bits |= bits_of(component);
   return (bits & kTwoBit) != 0;
+}
+
+// Differences of stamps from an origin as numbers; false where one may not be exact, being past 2^53.
+constexpr int64_t kLargestStamp = int64_t{1} << 62, kLargestElapsed = int64_t{1} << 53;
+QTRAJ_INLINE bool load_elapsed(const int64_t* stamps, int64_t origin, double& elapsed) {
+  const auto is_within = [](int64_t a, int64_t limit) { return -limit <= a && a <= limit; };
+  // the difference of two stamps below 2^62 does not overflow
+  if (!is_within(*stamps, kLargestStamp) || !is_within(origin, kLargestStamp)) return false;
+  const int64_t difference = *stamps - origin;
+  elapsed = static_cast<double>(difference);
+  return is_within(difference, kLargestElapsed);
 }
 
 // 0 < fraction < 1.

@@ -26,6 +26,20 @@ QTRAJ_INLINE WideMask<double> lanes_of(unsigned bits, Wide<double>) {
 QTRAJ_INLINE Wide<double> load_lanes(const double* from, Wide<double>) { return Wide<double>::load(from); }
 QTRAJ_INLINE void store_lanes(Wide<double> a, double* to) { a.store(to); }
 
+QTRAJ_INLINE Wide<double> lane_numbers(Wide<double>) { return Wide<double>::of(hn::Iota(Wide<double>::Tag(), 0)); }
+
+QTRAJ_INLINE bool load_elapsed(const int64_t* stamps, int64_t origin, Wide<double>& elapsed) {
+  const IndexTag tag;
+  const auto is_past = [&](Indices a, int64_t limit) {
+    return hn::Or(hn::Gt(a, hn::Set(tag, limit)), hn::Lt(a, hn::Set(tag, -limit)));
+  };
+  const Indices given = hn::LoadU(tag, stamps), from = hn::Set(tag, origin), difference = hn::Sub(given, from);
+  const auto is_long =
+      hn::Or(is_past(difference, kLargestElapsed), hn::Or(is_past(given, kLargestStamp), is_past(from, kLargestStamp)));
+  elapsed = Wide<double>::of(hn::ConvertTo(Wide<double>::Tag(), difference));
+  return hn::AllFalse(tag, is_long);
+}
+
 QTRAJ_INLINE Wide<double> preceded_by(double first, Wide<double> a) {
   const Wide<double>::Tag tag;
   alignas(64) static constexpr int64_t kBefore[] = {0, 0, 1, 2, 3, 4, 5, 6};

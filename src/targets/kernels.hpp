@@ -27,6 +27,8 @@ namespace qtraj {
   size_t rotate(const RotateRows& rows, size_t first, size_t count);                         \
   size_t derivatives_from_rates(const RatesToDerivatives& rows, size_t first, size_t count); \
   size_t rates_from_derivatives(const DerivativesToRates& rows, size_t first, size_t count); \
+  size_t even_times(const EvenTimeRows& rows, size_t first, size_t count);                   \
+  size_t seconds_from_ns(const NanosecondRows& rows, size_t first, size_t count);            \
   size_t normalize(const NormalizeRows& rows, size_t first, size_t count);                   \
   size_t make_continuous(const ContinuousRows& rows, size_t first, size_t count);            \
   size_t rows_from_columns(const RowsOfColumns<double>& table, size_t count);                \
