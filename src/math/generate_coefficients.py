@@ -32,6 +32,9 @@ ARC = (pi / 4 * MARGIN) ** 2
 HALF = (pi / 2 * MARGIN) ** 2
 NEAR = MARGIN / 2
 TANGENT = (tan(pi / 8) * MARGIN) ** 2
+# the middle of angles past pi/2, as their square: C and K are there within 6e-18 of doubles
+FAR = mpf("6.197265625")
+FAR_REACH = FAR - (pi / 2) ** 2 / MARGIN
 
 
 def c(y):
@@ -67,6 +70,11 @@ class Polynomial(NamedTuple):
     end: mpf  # of the interval, which begins at 0
     terms: dict  # number of coefficients in each format
     relative: bool = True
+    is_centred: bool = False  # the interval begins at -end
+
+    @property
+    def begin(self):
+        return -self.end if self.is_centred else mpf(0)
 
 
 POLYNOMIALS = [
@@ -75,12 +83,17 @@ POLYNOMIALS = [
     # absolute error: C has a zero at the end of the interval
     Polynomial("CosHalf", "C = cos(sqrt y)", "y", c, mpf(1), HALF, {DOUBLE: 9, FLOAT: 6}, relative=False),
     Polynomial("SincHalf", "K = sin(sqrt y) / sqrt y", "y", k, mpf(1), HALF, {DOUBLE: 9, FLOAT: 5}),
+    # absolute errors: C has a zero just before the interval, K one within
+    Polynomial("CosFar", f"C = cos(sqrt({FAR} + t))", "t", lambda t: c(FAR + t), c(FAR), FAR_REACH,
+               {DOUBLE: 12, FLOAT: 7}, relative=False, is_centred=True),
+    Polynomial("SincFar", f"K = sin(sqrt({FAR} + t)) / sqrt({FAR} + t)", "t", lambda t: k(FAR + t), k(FAR), FAR_REACH,
+               {DOUBLE: 12, FLOAT: 7}, relative=False, is_centred=True),
     Polynomial("DHalf", "D = (K - C) / y", "y", d, mpf(1) / 3, HALF, {DOUBLE: 9, FLOAT: 5}),
     Polynomial("EHalf", "E = (3 D - K) / y", "y", e, mpf(1) / 15, HALF, {DOUBLE: 8, FLOAT: 5}),
     Polynomial("AcosRatio", "acos(1 - z) / sqrt(z (2 - z))", "z", acos_ratio, mpf(1), mpf(1), {DOUBLE: 22, FLOAT: 10}),
     # two terms more than its value needs: the second derivative is used too
     Polynomial("AcosRatioNear", "acos(1 - z) / sqrt(z (2 - z))", "z", acos_ratio, mpf(1), NEAR, {DOUBLE: 17, FLOAT: 9}),
-    Polynomial("AtanRatio", "atan(sqrt a) / sqrt a", "a", atan_ratio, mpf(1), TANGENT, {DOUBLE: 12}),
+    Polynomial("AtanRatio", "atan(sqrt a) / sqrt a", "a", atan_ratio, mpf(1), TANGENT, {DOUBLE: 12, FLOAT: 6}),
 ]
 
 
@@ -133,19 +146,22 @@ def minimax(points, target, weight, count):
 
 def fit(polynomial, bits):
     count = polynomial.terms[bits]
-    # dense at both ends, as the extrema of the error are
-    points = [polynomial.end * (1 - cos(pi * i / FIT_POINTS)) / 2 for i in range(1, FIT_POINTS + 1)]
+    # dense at both ends, as the extrema of the error are; 0 is left out, where c0 is the value
+    span = polynomial.end - polynomial.begin
+    points = [polynomial.begin + span * (1 - cos(pi * i / FIT_POINTS)) / 2 for i in range(1, FIT_POINTS + 1)]
+    points = [x for x in points if abs(x) > span * mpf("1e-20")]
     values = [polynomial.function(x) for x in points]
     weight = [1 / value if polynomial.relative else mpf(1) for value in values]
 
     coefficients = [rounded(polynomial.at_zero, bits)]
     # no other coefficient can make up for c0 near 0: its rounding fades out over the interval instead
     off = coefficients[0] - polynomial.at_zero
-    target = [value + off * (1 - x / polynomial.end) ** 2 for x, value in zip(points, values)]
+    fading = 2 if polynomial.is_centred else 1
+    target = [value + off * (1 - (x / polynomial.end) ** fading) ** 2 for x, value in zip(points, values)]
     while len(coefficients) < count:
         # what is left is x times a polynomial with one coefficient less
         target = [(t - coefficients[-1]) / x for x, t in zip(points, target)]
-        weight = [w * x for x, w in zip(points, weight)]
+        weight = [w * abs(x) for x, w in zip(points, weight)]
         free = minimax(points, target, weight, count - len(coefficients))
         coefficients.append(rounded(free[0], bits))
     return coefficients
@@ -154,7 +170,7 @@ def fit(polynomial, bits):
 def checked_error(polynomial, coefficients, bits):
     worst = mpf(0)
     for i in range(1, CHECK_POINTS + 1):
-        x = polynomial.end * i / CHECK_POINTS
+        x = polynomial.begin + (polynomial.end - polynomial.begin) * i / CHECK_POINTS
         value = polynomial.function(x)
         worst = max(worst, abs((horner(coefficients, x) - value) / (value if polynomial.relative else 1)))
     bound = mpf(2) ** -(bits + 2) + abs(coefficients[0] / polynomial.at_zero - 1)
@@ -190,7 +206,7 @@ def struct(polynomial):
         errors.append(f"{float(checked_error(polynomial, coefficients, bits)):.1e}")
         members += array(f"static constexpr {MEMBERS[bits]}[]", [literal(c, bits) for c in coefficients])
     error = f"{'relative' if polynomial.relative else 'absolute'} error {' (float '.join(errors)}"
-    interval = f"0 <= {polynomial.variable} <= {float(polynomial.end):.4g}"
+    interval = f"{float(polynomial.begin):.4g} <= {polynomial.variable} <= {float(polynomial.end):.4g}"
     comment = f"// {polynomial.formula}, {interval}: {error}{')' * (len(errors) - 1)}"
     return "\n".join([comment, f"struct {polynomial.name} {{", *members, "};"])
 
