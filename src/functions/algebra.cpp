@@ -39,12 +39,16 @@ Chords chords(const Quaternion& a, const Quaternion& b) {
 }
 
 constexpr RowKernel<BinaryRows<4, 4, 4>> kMultiplyKernels[] = QTRAJ_OF_EACH_TARGET(multiply);
+constexpr RowKernel<BinaryRows<4, 4, 1>> kDistanceKernels[] = QTRAJ_OF_EACH_TARGET(distance),
+                                         kRotationAngleKernels[] = QTRAJ_OF_EACH_TARGET(rotation_angle);
 constexpr RowKernel<RotateRows> kRotateKernels[] = QTRAJ_OF_EACH_TARGET(rotate);
 
-// Calls `compute(a, b)`, a number, for each pair of quaternions other than 0.
+// Calls `compute(a, b)`, a number, for each pair of quaternions other than 0 that the kernel leaves.
 template <class Compute>
-Outcome for_each_pair(const BinaryRows<4, 4, 1>& rows, size_t count, const Compute& compute) {
-  return for_each_row(count, rows.out, [&](size_t row, Row<1>& value) {
+Outcome for_each_pair(const BinaryRows<4, 4, 1>& rows, size_t count, RowKernel<BinaryRows<4, 4, 1>> kernel,
+                      const Compute& compute) {
+  const auto from_row = [&](size_t row) { return kernel(rows, row, count); };
+  return for_each_row(count, rows.out, from_row, [&](size_t row, Row<1>& value) {
     if (!is_finite(rows.a, row) || !is_finite(rows.b, row)) return Status::not_finite;
     if (is_zero(rows.a, row) || is_zero(rows.b, row)) return Status::zero_norm;
     value[0] = compute(row_of(rows.a, row), row_of(rows.b, row));
@@ -114,7 +118,7 @@ Outcome rotate(const RotateRows& rows, size_t count) {
 }
 
 Outcome distance(const BinaryRows<4, 4, 1>& rows, size_t count) {
-  return for_each_pair(rows, count, [](const Quaternion& from, const Quaternion& to) {
+  return for_each_pair(rows, count, kDistanceKernels[target()], [](const Quaternion& from, const Quaternion& to) {
     const Chords chord = chords(from, to);
     return 2.0 * precise_atan2(chord.difference, chord.sum).value;
   });
@@ -128,7 +132,7 @@ double rotation_angle(const Quaternion& a, const Quaternion& b) {
 }
 
 Outcome rotation_angle(const BinaryRows<4, 4, 1>& rows, size_t count) {
-  return for_each_pair(rows, count,
+  return for_each_pair(rows, count, kRotationAngleKernels[target()],
                        [](const Quaternion& from, const Quaternion& to) { return rotation_angle(from, to); });
 }
 

@@ -4,6 +4,7 @@
 
 #include "math/scaled.hpp"
 #include "math/trigonometry.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
@@ -98,17 +99,26 @@ Vector3 rotation_vector(const Quaternion& q) {
   return product({turns * half.value, turns * half.error}, polar.axis);
 }
 
-// Calls `compute(q, values)` for each quaternion other than 0.
-template <size_t Width, class Compute>
-Outcome for_each_quaternion(const UnaryRows<4, Width>& rows, size_t count, const Compute& compute) {
-  return for_each_row(count, rows.out, [&](size_t row, Row<Width>& values) {
+constexpr RowKernel<UnaryRows<3, 4>> kExpKernels[] = QTRAJ_OF_EACH_TARGET(exp),
+                                     kExpOfHalfKernels[] = QTRAJ_OF_EACH_TARGET(exp_of_half);
+constexpr RowKernel<UnaryRows<4, 3>> kLogKernels[] = QTRAJ_OF_EACH_TARGET(log),
+                                     kRotationVectorKernels[] = QTRAJ_OF_EACH_TARGET(rotation_vectors);
+constexpr RowKernel<BinaryRows<4, 1, 4>> kPowKernels[] = QTRAJ_OF_EACH_TARGET(pow);
+
+// Calls `compute(q, values)` for each quaternion other than 0 that the kernel leaves.
+template <class Compute>
+Outcome for_each_quaternion(const UnaryRows<4, 3>& rows, size_t count, RowKernel<UnaryRows<4, 3>> kernel,
+                            const Compute& compute) {
+  const auto from_row = [&](size_t row) { return kernel(rows, row, count); };
+  return for_each_row(count, rows.out, from_row, [&](size_t row, Vector3& values) {
     const Status status = check_key(rows.in, row);
     return status == Status::ok ? compute(row_of(rows.in, row), values) : status;
   });
 }
 
-Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Quaternion& q) {
+Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count, RowKernel<UnaryRows<3, 4>> kernel) {
+  const auto from_row = [&](size_t row) { return kernel(rows, row, count); };
+  return for_each_row(count, rows.out, from_row, [&](size_t row, Quaternion& q) {
     if (!is_finite(rows.in, row)) return Status::not_finite;
     q = exp_of(factor * row_of(rows.in, row));
     return Status::ok;
@@ -117,12 +127,16 @@ Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count
 
 }  // namespace
 
-Outcome exp(const UnaryRows<3, 4>& rows, size_t count) { return exp_of_multiple(1.0, rows, count); }
+Outcome exp(const UnaryRows<3, 4>& rows, size_t count) {
+  return exp_of_multiple(1.0, rows, count, kExpKernels[target()]);
+}
 
-Outcome q_from_rotation_vector(const UnaryRows<3, 4>& rows, size_t count) { return exp_of_multiple(0.5, rows, count); }
+Outcome q_from_rotation_vector(const UnaryRows<3, 4>& rows, size_t count) {
+  return exp_of_multiple(0.5, rows, count, kExpOfHalfKernels[target()]);
+}
 
 Outcome log(const UnaryRows<4, 3>& rows, size_t count) {
-  return for_each_quaternion(rows, count, [](const Quaternion& value, Vector3& v) {
+  return for_each_quaternion(rows, count, kLogKernels[target()], [](const Quaternion& value, Vector3& v) {
     const HalfAngle half = half_angle(value);
     v = product(half.angle, half.axis);
     return half.status;
@@ -130,7 +144,8 @@ Outcome log(const UnaryRows<4, 3>& rows, size_t count) {
 }
 
 Outcome pow(const BinaryRows<4, 1, 4>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Quaternion& result) {
+  const auto kernel = [&](size_t row) { return kPowKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Quaternion& result) {
     if (!is_finite(rows.a, row) || !is_finite(rows.b, row)) return Status::not_finite;
     if (is_zero(rows.a, row)) return Status::zero_norm;
     return pow_of(row_of(rows.a, row), number_of(rows.b, row), result);
@@ -138,7 +153,7 @@ Outcome pow(const BinaryRows<4, 1, 4>& rows, size_t count) {
 }
 
 Outcome rotation_vector_from_q(const UnaryRows<4, 3>& rows, size_t count) {
-  return for_each_quaternion(rows, count, [](const Quaternion& value, Vector3& r) {
+  return for_each_quaternion(rows, count, kRotationVectorKernels[target()], [](const Quaternion& value, Vector3& r) {
     r = rotation_vector(value);
     return Status::ok;
   });

@@ -132,19 +132,26 @@ QTRAJ_INLINE Number estrin(const Number (&c)[Terms], Number x) {
     return join_pairs<Arithmetic>(c, x, std::make_index_sequence<Terms / 2>());
 }
 
-// c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last, so that it is rounded once.
-template <class Arithmetic, class Polynomial, class Number, size_t... Rest>
-QTRAJ_INLINE Number evaluate(Number x, std::index_sequence<Rest...>) {
+// The terms of a polynomial from c_First on, divided by x^First: c_First + c_(First+1) x + ...
+template <class Arithmetic, class Polynomial, size_t First, class Number, size_t... Rest>
+QTRAJ_INLINE Number evaluate_from(Number x, std::index_sequence<Rest...>) {
   constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
   // not a loop: compilers do not unroll one of more than 16 terms, and would spill its vectors to the stack
-  const Number rest[] = {Number(kCoefficients[1 + Rest])...};
-  return Arithmetic::multiply_add(estrin<Arithmetic>(rest, x), x, Number(kCoefficients[0]));
+  const Number rest[] = {Number(kCoefficients[First + Rest])...};
+  return estrin<Arithmetic>(rest, x);
 }
-template <class Arithmetic, class Polynomial, class Number>
-QTRAJ_INLINE Number evaluate(Number x) {
+template <class Arithmetic, class Polynomial, size_t First, class Number>
+QTRAJ_INLINE Number evaluate_from(Number x) {
   constexpr const auto& kCoefficients = coefficients<Number>(Polynomial{});
   constexpr size_t kTerms = sizeof kCoefficients / sizeof kCoefficients[0];
-  return evaluate<Arithmetic, Polynomial>(x, std::make_index_sequence<kTerms - 1>());
+  return evaluate_from<Arithmetic, Polynomial, First>(x, std::make_index_sequence<kTerms - First>());
+}
+
+// c0 + x (c1 + c2 x + ...): the first term, which is most of the sum, is added last, so that it is rounded once.
+template <class Arithmetic, class Polynomial, class Number>
+QTRAJ_INLINE Number evaluate(Number x) {
+  const Number first(coefficients<Number>(Polynomial{})[0]);
+  return Arithmetic::multiply_add(evaluate_from<Arithmetic, Polynomial, 1>(x), x, first);
 }
 
 // The dot product, summed from the left as in all kernels.

@@ -79,6 +79,19 @@ template <size_t Size>
 QTRAJ_INLINE bool is_bounded(const double (&v)[Size]) {
   return largest_bits(v) < kPastOrdinary;
 }
+// The power of two that is at most the largest magnitude, and more than half of it, of a row that is ordinary.
+template <size_t Size>
+QTRAJ_INLINE double power_of_largest(const double (&v)[Size]) {
+  const uint64_t bits = largest_bits(v) & kInfinityBits;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+// Every component of a magnitude below that power of two.
+template <size_t Size>
+QTRAJ_INLINE bool is_below(const double (&v)[Size], double power) {
+  return largest_bits(v) < bits_of(power);
+}
 template <size_t Size>
 QTRAJ_INLINE bool is_ordinary(const float (&v)[Size]) {
   uint32_t largest = 0;

@@ -204,6 +204,17 @@ QTRAJ_INLINE WideMask<double> is_bounded(const Wide<double> (&v)[Size]) {
 }
 
 template <size_t Size>
+QTRAJ_INLINE Wide<double> power_of_largest(const Wide<double> (&v)[Size]) {
+  const BitsTag tag;
+  const auto exponent = hn::And(hn::ShiftLeft<32>(largest_upper_half(v)), hn::Set(tag, kInfinityBits));
+  return Wide<double>::of(hn::BitCast(Wide<double>::Tag(), exponent));
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> is_below(const Wide<double> (&v)[Size], double power) {
+  return is_in_order(0, largest_upper_half(v), bits_of(power) >> 32);
+}
+
+template <size_t Size>
 QTRAJ_INLINE WideMask<float> is_ordinary(const Wide<float> (&v)[Size]) {
   const Wide<float>::Tag tag;
   const hn::RebindToSigned<Wide<float>::Tag> bits;

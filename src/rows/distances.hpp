@@ -1,0 +1,76 @@
+// Angles between quaternions, row by row, for kernels with fused multiply-adds: without them the exact products of
+// rows/angles.hpp take as long as the core. functions/algebra.hpp states what they promise.
+#pragma once
+
+#include "rows/angles.hpp"
+
+namespace qtraj {
+namespace {
+
+// In R^4.
+struct DistanceOf {
+  template <class Arithmetic, class Number>
+  QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
+    return angle_of<Arithmetic>(point);
+  }
+};
+
+// By which the body turns: twice the angle to the nearer of b and -b.
+struct RotationAngleOf {
+  template <class Arithmetic, class Number>
+  QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
+    const auto is_back = point.w.value < Number(0.0);
+    const DoubleDoubleOf<Number> w = {select(is_back, -point.w.value, point.w.value),
+                                      select(is_back, -point.w.error, point.w.error)};
+    return Number(2.0) * angle_of<Arithmetic>(PointOf<Number>{w, point.sine});
+  }
+};
+
+// What one loop over a tile leaves for the next, one vector after the other: short loops overlap the long dependency
+// chains of their rows.
+template <class Number>
+struct PointTile {
+  static constexpr size_t kVectors = 4;
+  Number w[kVectors], w_error[kVectors], sine[kVectors], residual[kVectors];
+};
+
+// Does one tile of up to `vectors` vectors of rows from `row` on, and tells how many.
+template <class Function, class Arithmetic, class Number>
+QTRAJ_INLINE size_t angle_tile(const BinaryRows<4, 4, 1>& rows, size_t row, size_t vectors) {
+  using Real = Element<Number>;
+  constexpr size_t kLanes = kLanesOf<Number>;
+  PointTile<Number> tile;
+  size_t done = 0;
+  for (; done < vectors; ++done) {
+    Number a[4], b[4];
+    PointOf<Number> point;
+    const size_t at = row + done * kLanes;
+    if (!load_rows<Real>(rows.a, at, a) || !load_rows<Real>(rows.b, at, b) || !find_point<Arithmetic>(a, b, point))
+      break;
+    tile.w[done] = point.w.value, tile.w_error[done] = point.w.error;
+    tile.sine[done] = point.sine.value, tile.residual[done] = point.sine.residual;
+  }
+  for (size_t k = 0; k < done; ++k) {
+    const PointOf<Number> point = {{tile.w[k], tile.w_error[k]}, {tile.sine[k], tile.residual[k]}};
+    const Number angle[1] = {Function::template compute<Arithmetic>(point)};
+    store_rows(angle, static_cast<Real*>(rows.out.data), row + k * kLanes);
+  }
+  return done;
+}
+
+template <class Function, class Arithmetic, class Number>
+size_t angles(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
+  if constexpr (!kIsFused<Arithmetic>) return 0;
+  constexpr size_t kLanes = kLanesOf<Number>, kMost = PointTile<Number>::kVectors;
+  size_t row = first;
+  while (count - row >= kLanes) {
+    const size_t left = (count - row) / kLanes, vectors = left < kMost ? left : kMost;
+    const size_t done = angle_tile<Function, Arithmetic, Number>(rows, row, vectors);
+    row += done * kLanes;
+    if (done < vectors) break;
+  }
+  return row - first;
+}
+
+}  // namespace
+}  // namespace qtraj

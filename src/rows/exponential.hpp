@@ -1,0 +1,84 @@
+// Exponentials of half-angle vectors, row by row: cosine and sinc as polynomials in the square of the angle, without
+// square root or division. functions/exponential.hpp states what they promise; u = 2^-53 is half of the eps there.
+#pragma once
+
+#include "math/half_angle.hpp"
+#include "rows/angles.hpp"
+#include "simd/prefetch.hpp"
+
+namespace qtraj {
+namespace {
+
+// C and K (math/half_angle.hpp) of y, the square of the angle x in double-double. Its error part counts in C, by dC/dy
+// = -K/2; in K it is less than half a rounding.
+
+// c0 + c1 x + ..., its first two terms added without rounding.
+template <class Arithmetic, class Polynomial, class Number>
+QTRAJ_INLINE Number evaluate_precisely(Number x) {
+  const DoubleDoubleOf<Number> second = exact_product<Arithmetic>(Number(Polynomial::kDouble[1]), x);
+  const DoubleDoubleOf<Number> sum = two_sum(Number(Polynomial::kDouble[0]), second.value);
+  const Number rest = Arithmetic::multiply_add(evaluate_from<Arithmetic, Polynomial, 2>(x), x * x, second.error);
+  return sum.value + (sum.error + rest);
+}
+
+// Up to pi/2 they are polynomials in y.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE CosSinc<Number> cos_sinc_near(const DoubleDoubleOf<Number>& y) {
+  const Number c = evaluate_precisely<Arithmetic, CosHalf>(y.value), k = evaluate<Arithmetic, SincHalf>(y.value);
+  return {Arithmetic::multiply_add(Number(-0.5) * k, y.error, c), k};
+}
+
+// Beyond, up to a bit more than pi, in t = y - kFarCentre.
+constexpr double kFarCentre = 6.197265625, kFarthestSquare = 9.927;
+template <class Arithmetic, class Number>
+QTRAJ_INLINE CosSinc<Number> cos_sinc_far(const DoubleDoubleOf<Number>& y) {
+  const DoubleDoubleOf<Number> t = two_sum(y.value - Number(kFarCentre), y.error);
+  const Number c = evaluate_precisely<Arithmetic, CosFar>(t.value);
+  const Number k = evaluate_precisely<Arithmetic, SincFar>(t.value);
+  return {Arithmetic::multiply_add(Number(-0.5) * k, t.error, c), k};
+}
+
+// Both forms, one selected lane by lane. False past them.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE bool cos_sinc_of(const DoubleDoubleOf<Number>& y, CosSinc<Number>& f) {
+  const auto is_near = y.value <= Number(kPolynomialLimit);
+  f = cos_sinc_near<Arithmetic>(y);
+  if (all(is_near)) return true;
+  if (!all(y.value <= Number(kFarthestSquare))) return false;
+  const CosSinc<Number> far = cos_sinc_far<Arithmetic>(y);
+  f = {select(is_near, f.c, far.c), select(is_near, f.k, far.k)};
+  return true;
+}
+
+// What of a vector is taken: all of a half-angle vector, half of a rotation vector.
+struct FullAngle {
+  static constexpr int kParts = 1;
+};
+struct HalfAngle {
+  static constexpr int kParts = 2;
+};
+
+template <class Part, class Arithmetic, class Number>
+QTRAJ_INLINE bool exp_rows(const UnaryRows<3, 4>& rows, size_t row, size_t count) {
+  using Real = Element<Number>;
+  Real* const out = static_cast<Real*>(rows.out.data);
+  Number v[3];
+  CosSinc<Number> f;
+  prefetch_output<Real, 4, kLanesOf<Number>>(out, row, count);
+  if (!load_numbers<Real>(rows.in, row, v) || !all(is_below(v, Real(4 * Part::kParts)))) return false;
+  if constexpr (Part::kParts > 1)
+    for (Number& component : v) component = Number(Real(1) / Part::kParts) * component;
+  if (!cos_sinc_of<Arithmetic>(precise_square<Arithmetic>(v), f)) return false;
+  const Number q[4] = {f.c, f.k * v[0], f.k * v[1], f.k * v[2]};
+  store_rows(q, out, row);
+  return true;
+}
+
+template <class Part, class Arithmetic, class Number>
+size_t exps(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
+  return do_rows<Number>(first, count,
+                         [&](size_t row) { return exp_rows<Part, Arithmetic, Number>(rows, row, count); });
+}
+
+}  // namespace
+}  // namespace qtraj
