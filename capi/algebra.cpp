@@ -76,7 +76,15 @@ qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, size_t* bad
   return map<3, 4>(qtraj::exp, v, count, q_out, bad_index);
 }
 
+qtraj_status qtraj_exp_f32(const float* v, size_t count, float* q_out, size_t* bad_index) {
+  return map<3, 4>(qtraj::exp, v, count, q_out, bad_index);
+}
+
 qtraj_status qtraj_log(const double* q, size_t count, double* v_out, size_t* bad_index) {
+  return map<4, 3>(qtraj::log, q, count, v_out, bad_index);
+}
+
+qtraj_status qtraj_log_f32(const float* q, size_t count, float* v_out, size_t* bad_index) {
   return map<4, 3>(qtraj::log, q, count, v_out, bad_index);
 }
 
@@ -100,6 +108,11 @@ qtraj_status qtraj_distance(const double* a, size_t a_count, const double* b, si
   return map_pairs<4, 4, 1>(distance, a, a_count, b, b_count, count, angle_out, bad_index);
 }
 
+qtraj_status qtraj_distance_f32(const float* a, size_t a_count, const float* b, size_t b_count, size_t count,
+                                float* angle_out, size_t* bad_index) {
+  return map_pairs<4, 4, 1>(distance, a, a_count, b, b_count, count, angle_out, bad_index);
+}
+
 qtraj_status qtraj_rotation_angle(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                                   double* angle_out, size_t* bad_index) {
   return map_pairs<4, 4, 1>(rotation_angle, a, a_count, b, b_count, count, angle_out, bad_index);
@@ -109,7 +122,15 @@ qtraj_status qtraj_rotation_vector_from_q(const double* q, size_t count, double*
   return map<4, 3>(rotation_vector_from_q, q, count, r_out, bad_index);
 }
 
+qtraj_status qtraj_rotation_vector_from_q_f32(const float* q, size_t count, float* r_out, size_t* bad_index) {
+  return map<4, 3>(rotation_vector_from_q, q, count, r_out, bad_index);
+}
+
 qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t count, double* q_out, size_t* bad_index) {
+  return map<3, 4>(q_from_rotation_vector, r, count, q_out, bad_index);
+}
+
+qtraj_status qtraj_q_from_rotation_vector_f32(const float* r, size_t count, float* q_out, size_t* bad_index) {
   return map<3, 4>(q_from_rotation_vector, r, count, q_out, bad_index);
 }
 

@@ -2697,6 +2697,15 @@ QTRAJ_API qtraj_status qtraj_dot(const double* a, size_t a_count, const double* 
  *   - QTRAJ_E_NOT_FINITE: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, size_t* bad_index);
 
+/** Exponential of half-angle vectors in float: twin of qtraj_exp().
+ *
+ * @param v          [count][3], rad, of any length
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, unit; may not overlap v
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_exp() */
+QTRAJ_API qtraj_status qtraj_exp_f32(const float* v, size_t count, float* q_out, size_t* bad_index);
+
 /** Logarithm of q / |q|: half-angle vectors, the sign of q kept, so that qtraj_exp() gives q / |q| back.
  *
  * @param q          [count][4], w x y z, of any norm but 0
@@ -2708,6 +2717,15 @@ QTRAJ_API qtraj_status qtraj_exp(const double* v, size_t count, double* q_out, s
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right;
  *   - QTRAJ_E_AMBIGUOUS: q / |q| is -1; that row is (pi, 0, 0) */
 QTRAJ_API qtraj_status qtraj_log(const double* q, size_t count, double* v_out, size_t* bad_index);
+
+/** Logarithm of q / |q| in float: twin of qtraj_log().
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param v_out      [count][3], rad, |v| in [0, pi]; may not overlap q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_log() */
+QTRAJ_API qtraj_status qtraj_log_f32(const float* q, size_t count, float* v_out, size_t* bad_index);
 
 /** Powers of q / |q|: exp(exponent * log(q)).
  *
@@ -2773,6 +2791,19 @@ QTRAJ_API qtraj_status qtraj_rotate_f32(const float* q_wb, size_t q_count, const
 QTRAJ_API qtraj_status qtraj_distance(const double* a, size_t a_count, const double* b, size_t b_count, size_t count,
                                       double* angle_out, size_t* bad_index);
 
+/** Angles between quaternions on S^3 in float: twin of qtraj_distance().
+ *
+ * @param a          [a_count][4], w x y z, of any norm but 0
+ * @param a_count    1 or count
+ * @param b          [b_count][4], w x y z, of any norm but 0
+ * @param b_count    1 or count
+ * @param count      number of pairs; where it is 0 arrays may be NULL
+ * @param angle_out  [count], rad, in [0, pi]; may not overlap an input
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_distance() */
+QTRAJ_API qtraj_status qtraj_distance_f32(const float* a, size_t a_count, const float* b, size_t b_count, size_t count,
+                                          float* angle_out, size_t* bad_index);
+
 /** Angles of the rotations that take a to b, where signs do not count.
  *
  * @param a          [a_count][4], w x y z, of any norm but 0
@@ -2801,6 +2832,15 @@ QTRAJ_API qtraj_status qtraj_rotation_angle(const double* a, size_t a_count, con
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_rotation_vector_from_q(const double* q, size_t count, double* r_out, size_t* bad_index);
 
+/** Rotation vectors of quaternions in float: twin of qtraj_rotation_vector_from_q().
+ *
+ * @param q          [count][4], w x y z, of any norm but 0
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param r_out      [count][3], rad, |r| in [0, pi]; may not overlap q
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_rotation_vector_from_q() */
+QTRAJ_API qtraj_status qtraj_rotation_vector_from_q_f32(const float* q, size_t count, float* r_out, size_t* bad_index);
+
 /** Unit quaternions of rotation vectors of any length.
  *
  * @param r          [count][3], rad
@@ -2811,6 +2851,15 @@ QTRAJ_API qtraj_status qtraj_rotation_vector_from_q(const double* q, size_t coun
  *   - QTRAJ_E_NULL, QTRAJ_E_SIZE, QTRAJ_E_OVERLAP: nothing is written;
  *   - QTRAJ_E_NOT_FINITE: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_q_from_rotation_vector(const double* r, size_t count, double* q_out, size_t* bad_index);
+
+/** Unit quaternions of rotation vectors in float: twin of qtraj_q_from_rotation_vector().
+ *
+ * @param r          [count][3], rad, of any length
+ * @param count      number of rows; where it is 0 arrays may be NULL
+ * @param q_out      [count][4], w x y z, unit; may not overlap r
+ * @param bad_index  receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_q_from_rotation_vector() */
+QTRAJ_API qtraj_status qtraj_q_from_rotation_vector_f32(const float* r, size_t count, float* q_out, size_t* bad_index);
 
 /** Rotation matrices of quaternions: v_world = M v_body.
  *

@@ -21,10 +21,10 @@ static inline DoubleDoubleOf<Number> two_sum(Number a, Number b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-// For |a|, |b| < 2^500 and products above 2^-900. Dekker's product, without FMA: every target rounds alike.
+// For |a|, |b| < 2^500 and products above 2^-900. Dekker's product, without FMA: every target rounds alike. `split` is
+// 2^27 + 1 for double and 2^12 + 1 for float.
 template <class Number>
-static inline DoubleDoubleOf<Number> two_product(Number a, Number b) {
-  const Number split(134217729.0);  // 2^27 + 1
+static inline DoubleDoubleOf<Number> two_product(Number a, Number b, Number split = Number(134217729.0)) {
   const Number a_shifted = split * a, b_shifted = split * b;
   const Number a_high = a_shifted - (a_shifted - a), b_high = b_shifted - (b_shifted - b);
   const Number a_low = a - a_high, b_low = b - b_high;

@@ -17,9 +17,14 @@ constexpr bool kIsFused = std::is_same_v<Arithmetic, Fused>;
 
 template <class Arithmetic, class Number>
 QTRAJ_INLINE DoubleDoubleOf<Number> exact_product(Number a, Number b) {
-  if constexpr (!kIsFused<Arithmetic>) return two_product(a, b);
-  const Number product = a * b;
-  return {product, Arithmetic::multiply_add(a, b, -product)};
+  if constexpr (kIsFused<Arithmetic>) {
+    const Number product = a * b;
+    return {product, Arithmetic::multiply_add(a, b, -product)};
+  } else if constexpr (sizeof(Element<Number>) == sizeof(float)) {
+    return two_product(a, b, Number(4097.0f));
+  } else {
+    return two_product(a, b);
+  }
 }
 
 // c - a b, a b within a few units of rounding of c: exact but for the last bit of a difference of that size.
@@ -59,7 +64,8 @@ QTRAJ_INLINE DoubleDoubleOf<Number> precise_square(const Number (&v)[3]) {
     const Number three_error = Arithmetic::multiply_add(third, third, two - three);
     return {three, one.error + (two_error + three_error)};
   } else {
-    const DoubleDoubleOf<Number> x = two_product(v[0], v[0]), y = two_product(v[1], v[1]), z = two_product(v[2], v[2]);
+    const DoubleDoubleOf<Number> x = exact_product<Arithmetic>(v[0], v[0]), y = exact_product<Arithmetic>(v[1], v[1]),
+                                 z = exact_product<Arithmetic>(v[2], v[2]);
     const DoubleDoubleOf<Number> two = two_sum(x.value, y.value), three = two_sum(two.value, z.value);
     return {three.value, ((x.error + y.error) + z.error) + (two.error + three.error)};
   }
@@ -134,6 +140,25 @@ QTRAJ_INLINE DoubleDoubleOf<Number> precise_angle(Number s, Number s_error, Numb
   const Number base = eighths * Number(0x1.921fb54442d18p-1), base_error = eighths * Number(0x1.1a62633145c07p-55);
   const DoubleDoubleOf<Number> sum = fast_two_sum(base, t);
   return {sum.value, sum.error + (tail + add(t_error + turned, slope, base_error))};
+}
+
+// The same angle by plain sums, s >= 0 and not both 0: to 2^-31 and 5 u relative, u that of the type, if s and x are
+// exact. The square of a small t stands for 2^-30, which makes no difference to float, and whose powers do not
+// underflow: that would take a hundred cycles.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE Number angle_of_point(Number s, Number x) {
+  using Real = Element<Number>;
+  const auto add = [](Number a, Number b, Number c) { return Arithmetic::multiply_add(a, b, c); };
+  const Number zero(Real(0)), one(Real(1)), two(Real(2)), four(Real(4));
+  const Number across = absolute(x);
+  const auto is_steep = across < s;
+  const Number p = select(is_steep, -x, with_sign_of(x, s)), q = maximum(s, across);
+  const auto is_wide = Number(Real(0.41421356237309503)) * q < minimum(s, across);
+  const Number c = select(is_wide, with_sign_of(p, one), zero);
+  const Number t = add(-c, q, p) / add(c, p, q);
+  const Number least = maximum(absolute(t), Number(Real(0x1p-15))), a = least * least;
+  const Number eighths = select(is_steep, two, select(x < zero, four, zero)) + c;
+  return add(t * a, evaluate_from<Arithmetic, AtanRatio, 1>(a), add(eighths, Number(Real(0x1.921fb54442d18p-1)), t));
 }
 
 // ---- Angles between quaternions, which need not be unit ----

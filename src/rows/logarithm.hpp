@@ -87,6 +87,15 @@ QTRAJ_INLINE DoubleDoubleOf<Number> far_factor(const DoubleDoubleOf<Number>& nea
   return {difference.value, difference.error + (error - near.error)};
 }
 
+// That of the side on which w is.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE DoubleDoubleOf<Number> nearer_or_far(const DoubleDoubleOf<Number>& near, Number w,
+                                                  const RootOf<Number>& sine, Number inverse) {
+  const DoubleDoubleOf<Number> far = far_factor<Arithmetic>(near, sine, inverse);
+  const auto is_far = w < Number(0.0);
+  return {select(is_far, far.value, near.value), select(is_far, far.error, near.error)};
+}
+
 // A vector part this short beside w < 0 goes the way of any quaternion.
 constexpr double kLeastFarSquare = 0x1p-40;
 
@@ -99,67 +108,67 @@ QTRAJ_INLINE RootOf<Number> near_sine(const SquaresOf<Number>& squares) {
 
 // ---- The two functions ----
 
-// The half-angle vector of q. Beside -1 the axis must be found from a tiny vector part, or there is none: that is left
-// to the core.
+// The half-angle vector of q.
 struct LogOf {
   static constexpr bool kGoesFar = true;  // to angles past pi/2, for which near rows need |v|
+
+  // The angle is that of the point (side, |v|), and what is wanted `turns` of it.
+  template <class Number>
+  QTRAJ_INLINE static Number side(Number w) {
+    return w;
+  }
+  template <class Number>
+  QTRAJ_INLINE static Number turns(Number) {
+    return Number(Element<Number>(1));
+  }
   template <class Arithmetic, class Number>
   QTRAJ_INLINE static auto is_near(const Number (&q)[4], const SquaresOf<Number>& squares) {
     return is_near_one(squares.excess) & ((Number(0.0) <= q[0]) | (Number(kLeastFarSquare) <= squares.vector.value));
-  }
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static DoubleDoubleOf<Number> finish(const DoubleDoubleOf<Number>& near, Number w,
-                                                    const RootOf<Number>& sine, Number inverse) {
-    const DoubleDoubleOf<Number> far = far_factor<Arithmetic>(near, sine, inverse);
-    const auto is_far = w < Number(0.0);
-    return {select(is_far, far.value, near.value), select(is_far, far.error, near.error)};
-  }
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static bool of_any(const Number (&q)[4], const DoubleDoubleOf<Number>& square,
-                                  DoubleDoubleOf<Number>& factor) {
-    if (any((q[0] < Number(0.0)) & (square.value < Number(kLeastSineSquare)))) return false;
-    factor = angle_over_sine<Arithmetic>(square, q[0]);
-    return true;
   }
 };
 
 // The rotation vector of the shorter way, twice the log of q or -q.
 struct RotationVectorOf {
   static constexpr bool kGoesFar = false;
+
+  template <class Number>
+  QTRAJ_INLINE static Number side(Number w) {
+    return absolute(w);
+  }
+  template <class Number>
+  QTRAJ_INLINE static Number turns(Number w) {
+    using Real = Element<Number>;
+    return select(w < Number(Real(0)), Number(Real(-2)), Number(Real(2)));
+  }
   template <class Arithmetic, class Number>
   QTRAJ_INLINE static auto is_near(const Number (&)[4], const SquaresOf<Number>& squares) {
     return is_near_one(squares.excess);
   }
-  template <class Number>
-  QTRAJ_INLINE static DoubleDoubleOf<Number> doubled(const DoubleDoubleOf<Number>& factor, Number w) {
-    const Number turns = select(w < Number(0.0), Number(-2.0), Number(2.0));
-    return {turns * factor.value, turns * factor.error};
-  }
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static DoubleDoubleOf<Number> finish(const DoubleDoubleOf<Number>& near, Number w, const RootOf<Number>&,
-                                                    Number) {
-    return doubled(near, w);
-  }
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static bool of_any(const Number (&q)[4], const DoubleDoubleOf<Number>& square,
-                                  DoubleDoubleOf<Number>& factor) {
-    factor = doubled(angle_over_sine<Arithmetic>(square, absolute(q[0])), q[0]);
-    return true;
-  }
 };
+
+template <class Function, class Number>
+QTRAJ_INLINE DoubleDoubleOf<Number> times_turns(const DoubleDoubleOf<Number>& factor, Number w) {
+  const Number turns = Function::turns(w);
+  return {turns * factor.value, turns * factor.error};
+}
 
 template <class Function, class Arithmetic, class Number>
 QTRAJ_INLINE DoubleDoubleOf<Number> factor_of_near(Number w, const SquaresOf<Number>& squares) {
-  const DoubleDoubleOf<Number> factor = near_factor<Arithmetic>(w, squares.excess);
-  const RootOf<Number> sine = near_sine<Arithmetic>(squares);
-  return Function::template finish<Arithmetic>(factor, w, sine, Number(1.0) / sine.value);
+  DoubleDoubleOf<Number> factor = near_factor<Arithmetic>(w, squares.excess);
+  if constexpr (Function::kGoesFar) {
+    const RootOf<Number> sine = near_sine<Arithmetic>(squares);
+    factor = nearer_or_far<Arithmetic>(factor, w, sine, Number(1.0) / sine.value);
+  }
+  return times_turns<Function>(factor, w);
 }
 
-// The factor of rows of any kind; false where one is singular. |v|^2 is given.
+// The factor of rows of any kind; false where one is singular: beside -1 the axis of a log must be found from a tiny
+// vector part, or there is none. |v|^2 is given.
 template <class Function, class Arithmetic, class Number>
 QTRAJ_INLINE bool find_factor(const Number (&q)[4], const DoubleDoubleOf<Number>& square,
                               DoubleDoubleOf<Number>& factor) {
-  if (!Function::template of_any<Arithmetic>(q, square, factor)) return false;
+  if (Function::kGoesFar && any((q[0] < Number(0.0)) & (square.value < Number(kLeastSineSquare)))) return false;
+  factor = times_turns<Function>(angle_over_sine<Arithmetic>(square, Function::side(q[0])), q[0]);
   if constexpr (!kIsFused<Arithmetic>) return true;
   const auto is_near = Function::template is_near<Arithmetic>(q, squares_near_one<Arithmetic>(q));
   if (!any(is_near)) return true;
@@ -228,8 +237,10 @@ QTRAJ_INLINE size_t log_near_rows(const UnaryRows<4, 3>& rows, size_t row, size_
     if constexpr (Function::kGoesFar) tile.inverse[k] = Number(1.0) / tile.sine[k];
   }
   for (size_t k = 0; k < done; ++k) {
-    const DoubleDoubleOf<Number> factor = Function::template finish<Arithmetic>(
-        {tile.factor[k], tile.factor_error[k]}, tile.w[k], {tile.sine[k], tile.residual[k]}, tile.inverse[k]);
+    DoubleDoubleOf<Number> factor = {tile.factor[k], tile.factor_error[k]};
+    if constexpr (Function::kGoesFar)
+      factor = nearer_or_far<Arithmetic>(factor, tile.w[k], {tile.sine[k], tile.residual[k]}, tile.inverse[k]);
+    factor = times_turns<Function>(factor, tile.w[k]);
     Number v[3];
     prefetch_output<Real, 3, kLanes>(out, row + k * kLanes, count);
     for (size_t i = 0; i < 3; ++i) v[i] = rounded_product<Arithmetic>(factor, tile.vector[k][i]);
@@ -238,8 +249,34 @@ QTRAJ_INLINE size_t log_near_rows(const UnaryRows<4, 3>& rows, size_t row, size_
   return done * kLanes;
 }
 
-template <class Function, class Arithmetic, class Number>
+// ---- In float ----
+
+// A vector part shorter than 2^-50 is taken for that long, as above: beside it |w| >= 2^-30.
+constexpr float kLeastSineSquareInFloat = 0x1p-100f;
+
+// To 4 eps of float: the length of the vector part is good to 2.5 u, u = eps/2, and enters with at most 1.22 of that,
+// the angle adds 2.5 u, the quotient and the product one u each.
+template <class Function, class Arithmetic, class FloatNumber>
+QTRAJ_INLINE bool log_float_rows(const UnaryRows<4, 3>& rows, size_t row, size_t count) {
+  float* const out = static_cast<float*>(rows.out.data);
+  FloatNumber q[4], v[3];
+  prefetch_output<float, 3, kLanesOf<FloatNumber>>(out, row, count);
+  if (!load_rows<float>(rows.in, row, q)) return false;
+  const FloatNumber vector[3] = {q[1], q[2], q[3]}, least(kLeastSineSquareInFloat);
+  const FloatNumber square = dot_product<Arithmetic>(vector, vector);
+  if (Function::kGoesFar && any((q[0] < FloatNumber(0.0f)) & (square < least))) return false;
+  const FloatNumber sine = square_root(maximum(square, least));
+  const FloatNumber factor = Function::turns(q[0]) * angle_of_point<Arithmetic>(sine, Function::side(q[0])) / sine;
+  for (size_t k = 0; k < 3; ++k) v[k] = factor * vector[k];
+  store_rows(v, out, row);
+  return true;
+}
+
+template <class Function, class Arithmetic, class Number, class FloatNumber>
 size_t logs(const UnaryRows<4, 3>& rows, size_t first, size_t count) {
+  if (rows.out.is_float)
+    return do_rows<FloatNumber>(
+        first, count, [&](size_t row) { return log_float_rows<Function, Arithmetic, FloatNumber>(rows, row, count); });
   size_t row = first;
   while (count - row >= kLanesOf<Number>) {
     if constexpr (kIsFused<Arithmetic>) {

@@ -92,16 +92,28 @@ template <size_t Size>
 QTRAJ_INLINE bool is_below(const double (&v)[Size], double power) {
   return largest_bits(v) < bits_of(power);
 }
+
+inline uint32_t bits_of(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
 template <size_t Size>
-QTRAJ_INLINE bool is_ordinary(const float (&v)[Size]) {
+QTRAJ_INLINE uint32_t largest_bits(const float (&v)[Size]) {
   uint32_t largest = 0;
   for (const float component : v) {
-    uint32_t magnitude;
-    std::memcpy(&magnitude, &component, sizeof magnitude);
-    magnitude &= kFloatMagnitudeBits;
+    const uint32_t magnitude = bits_of(component) & kFloatMagnitudeBits;
     largest = magnitude > largest ? magnitude : largest;
   }
-  return largest - kLeastOrdinaryFloat < kPastOrdinaryFloat - kLeastOrdinaryFloat;
+  return largest;
+}
+template <size_t Size>
+QTRAJ_INLINE bool is_ordinary(const float (&v)[Size]) {
+  return largest_bits(v) - kLeastOrdinaryFloat < kPastOrdinaryFloat - kLeastOrdinaryFloat;
+}
+template <size_t Size>
+QTRAJ_INLINE bool is_below(const float (&v)[Size], float power) {
+  return largest_bits(v) < bits_of(power);
 }
 
 // Whether a component is of magnitude 2 or more, or NaN: only these have the highest bit of the exponent set.

@@ -137,6 +137,9 @@ template <class Real>
 QTRAJ_INLINE void store_rows(const Wide<Real> (&from)[1], Real* to, size_t row) {
   from[0].store(to + row);
 }
+QTRAJ_INLINE void store_rows(const Wide<double> (&from)[1], float* to, size_t row) {
+  hn::StoreU(demoted(from[0]), FloatTag(), to + row);
+}
 QTRAJ_INLINE void store_rows(const Wide<double> (&from)[3], float* to, size_t row) {
   hn::StoreInterleaved3(demoted(from[0]), demoted(from[1]), demoted(from[2]), FloatTag(), to + 3 * row);
 }
@@ -214,15 +217,27 @@ QTRAJ_INLINE WideMask<double> is_below(const Wide<double> (&v)[Size], double pow
   return is_in_order(0, largest_upper_half(v), bits_of(power) >> 32);
 }
 
+// The bits of the largest magnitude.
+using FloatBitsTag = hn::RebindToSigned<Wide<float>::Tag>;
 template <size_t Size>
-QTRAJ_INLINE WideMask<float> is_ordinary(const Wide<float> (&v)[Size]) {
-  const Wide<float>::Tag tag;
-  const hn::RebindToSigned<Wide<float>::Tag> bits;
+QTRAJ_INLINE hn::Vec<FloatBitsTag> largest_bits(const Wide<float> (&v)[Size]) {
+  const FloatBitsTag bits;
   auto largest = hn::Zero(bits);
   for (const Wide<float>& component : v) largest = hn::Max(largest, hn::BitCast(bits, hn::Abs(component.lanes)));
+  return largest;
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<float> is_ordinary(const Wide<float> (&v)[Size]) {
+  const FloatBitsTag bits;
+  const auto largest = largest_bits(v);
   const auto at_least = hn::Gt(largest, hn::Set(bits, static_cast<int32_t>(kLeastOrdinaryFloat - 1)));
   const auto below = hn::Lt(largest, hn::Set(bits, static_cast<int32_t>(kPastOrdinaryFloat)));
-  return {hn::RebindMask(tag, hn::And(at_least, below))};
+  return {hn::RebindMask(Wide<float>::Tag(), hn::And(at_least, below))};
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<float> is_below(const Wide<float> (&v)[Size], float power) {
+  const auto limit = hn::Set(FloatBitsTag(), static_cast<int32_t>(bits_of(power)));
+  return {hn::RebindMask(Wide<float>::Tag(), hn::Lt(largest_bits(v), limit))};
 }
 
 template <size_t Size>

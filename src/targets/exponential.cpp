@@ -11,20 +11,21 @@ namespace qtraj {
 namespace QTRAJ_TARGET {
 
 size_t exp(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::exps<FullAngle, Arithmetic, Number>, QTRAJ_SCALAR::exp>(rows, first, count);
+  return run_rows<qtraj::exps<FullAngle, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::exp>(rows, first, count);
 }
 
 size_t exp_of_half(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::exps<HalfAngle, Arithmetic, Number>, QTRAJ_SCALAR::exp_of_half>(rows, first, count);
+  return run_rows<qtraj::exps<HalfAngle, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::exp_of_half>(rows, first,
+                                                                                                      count);
 }
 
 size_t log(const UnaryRows<4, 3>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::logs<LogOf, Arithmetic, Number>, QTRAJ_SCALAR::log>(rows, first, count);
+  return run_rows<qtraj::logs<LogOf, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::log>(rows, first, count);
 }
 
 size_t rotation_vectors(const UnaryRows<4, 3>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::logs<RotationVectorOf, Arithmetic, Number>, QTRAJ_SCALAR::rotation_vectors>(rows, first,
-                                                                                                     count);
+  return run_rows<qtraj::logs<RotationVectorOf, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::rotation_vectors>(
+      rows, first, count);
 }
 
 size_t pow(const BinaryRows<4, 1, 4>& rows, size_t first, size_t count) {

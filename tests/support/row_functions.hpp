@@ -80,6 +80,37 @@ inline std::vector<RowFunction<float>> row_functions(float) {
            [](auto in, size_t count, auto out, size_t* bad) {
              return qtraj_multiply_f32(in[0], count, in[1], count, count, out[0], bad);
            }},
+          {"exp_f32",
+           {{{3}}},
+           {4},
+           false,
+           [](auto in, size_t count, auto out, size_t* bad) { return qtraj_exp_f32(in[0], count, out[0], bad); }},
+          {"q_from_rotation_vector_f32",
+           {{{3}}},
+           {4},
+           false,
+           [](auto in, size_t count, auto out, size_t* bad) {
+             return qtraj_q_from_rotation_vector_f32(in[0], count, out[0], bad);
+           }},
+          {"log_f32",
+           {{{4, true}}},
+           {3},
+           false,
+           [](auto in, size_t count, auto out, size_t* bad) { return qtraj_log_f32(in[0], count, out[0], bad); }},
+          {"rotation_vector_from_q_f32",
+           {{{4, true}}},
+           {3},
+           false,
+           [](auto in, size_t count, auto out, size_t* bad) {
+             return qtraj_rotation_vector_from_q_f32(in[0], count, out[0], bad);
+           }},
+          {"distance_f32",
+           {{4, true}, {4, true}},
+           {1},
+           false,
+           [](auto in, size_t count, auto out, size_t* bad) {
+             return qtraj_distance_f32(in[0], count, in[1], count, count, out[0], bad);
+           }},
           {"screw_pairs_f32",
            {{4, true}, {3}, {4, true}, {3}, {1}},
            {4, 3},
