@@ -9,6 +9,8 @@ namespace {
 
 // In R^4.
 struct DistanceOf {
+  static constexpr bool kHasFloats = true;
+
   template <class Arithmetic, class Number>
   QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
     return angle_of<Arithmetic>(point);
@@ -17,6 +19,8 @@ struct DistanceOf {
 
 // By which the body turns: twice the angle to the nearer of b and -b.
 struct RotationAngleOf {
+  static constexpr bool kHasFloats = false;
+
   template <class Arithmetic, class Number>
   QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
     const auto is_back = point.w.value < Number(0.0);
@@ -75,9 +79,11 @@ QTRAJ_INLINE bool float_distance_rows(const BinaryRows<4, 4, 1>& rows, size_t ro
 
 template <class Function, class Arithmetic, class Number>
 size_t angles(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  if (rows.out.is_float)
-    return do_rows<Number>(first, count,
-                           [&](size_t row) { return float_distance_rows<Arithmetic, Number>(rows, row); });
+  if constexpr (Function::kHasFloats) {
+    if (rows.out.is_float)
+      return do_rows<Number>(first, count,
+                             [&](size_t row) { return float_distance_rows<Arithmetic, Number>(rows, row); });
+  }
   if constexpr (!kIsFused<Arithmetic>) return 0;
   constexpr size_t kLanes = kLanesOf<Number>, kMost = PointTile<Number>::kVectors;
   size_t row = first;
