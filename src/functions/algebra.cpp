@@ -39,15 +39,14 @@ Chords chords(const Quaternion& a, const Quaternion& b) {
 }
 
 constexpr RowKernel<BinaryRows<4, 4, 4>> kMultiplyKernels[] = QTRAJ_OF_EACH_TARGET(multiply);
-constexpr RowKernel<BinaryRows<4, 4, 1>> kDistanceKernels[] = QTRAJ_OF_EACH_TARGET(distance),
-                                         kRotationAngleKernels[] = QTRAJ_OF_EACH_TARGET(rotation_angle);
+constexpr RowKernel<AngleRows> kAngleKernels[] = QTRAJ_OF_EACH_TARGET(angles);
 constexpr RowKernel<RotateRows> kRotateKernels[] = QTRAJ_OF_EACH_TARGET(rotate);
 
-// Calls `compute(a, b)`, a number, for each pair of quaternions other than 0 that the kernel leaves.
+// Calls `compute(a, b)`, an angle, for each pair of quaternions other than 0 that the kernel leaves.
 template <class Compute>
-Outcome for_each_pair(const BinaryRows<4, 4, 1>& rows, size_t count, RowKernel<BinaryRows<4, 4, 1>> kernel,
-                      const Compute& compute) {
-  const auto from_row = [&](size_t row) { return kernel(rows, row, count); };
+Outcome for_each_pair(const BinaryRows<4, 4, 1>& rows, bool is_turn, size_t count, const Compute& compute) {
+  const AngleRows angle_rows = {rows.a, rows.b, is_turn, rows.out};
+  const auto from_row = [&](size_t row) { return kAngleKernels[target()](angle_rows, row, count); };
   return for_each_row(count, rows.out, from_row, [&](size_t row, Row<1>& value) {
     if (!is_finite(rows.a, row) || !is_finite(rows.b, row)) return Status::not_finite;
     if (is_zero(rows.a, row) || is_zero(rows.b, row)) return Status::zero_norm;
@@ -118,7 +117,7 @@ Outcome rotate(const RotateRows& rows, size_t count) {
 }
 
 Outcome distance(const BinaryRows<4, 4, 1>& rows, size_t count) {
-  return for_each_pair(rows, count, kDistanceKernels[target()], [](const Quaternion& from, const Quaternion& to) {
+  return for_each_pair(rows, false, count, [](const Quaternion& from, const Quaternion& to) {
     const Chords chord = chords(from, to);
     return 2.0 * precise_atan2(chord.difference, chord.sum).value;
   });
@@ -132,7 +131,7 @@ double rotation_angle(const Quaternion& a, const Quaternion& b) {
 }
 
 Outcome rotation_angle(const BinaryRows<4, 4, 1>& rows, size_t count) {
-  return for_each_pair(rows, count, kRotationAngleKernels[target()],
+  return for_each_pair(rows, true, count,
                        [](const Quaternion& from, const Quaternion& to) { return rotation_angle(from, to); });
 }
 

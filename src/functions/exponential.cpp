@@ -99,8 +99,7 @@ Vector3 rotation_vector(const Quaternion& q) {
   return product({turns * half.value, turns * half.error}, polar.axis);
 }
 
-constexpr RowKernel<UnaryRows<3, 4>> kExpKernels[] = QTRAJ_OF_EACH_TARGET(exp),
-                                     kExpOfHalfKernels[] = QTRAJ_OF_EACH_TARGET(exp_of_half);
+constexpr RowKernel<ExpRows> kExpKernels[] = QTRAJ_OF_EACH_TARGET(exp);
 constexpr RowKernel<UnaryRows<4, 3>> kLogKernels[] = QTRAJ_OF_EACH_TARGET(log),
                                      kRotationVectorKernels[] = QTRAJ_OF_EACH_TARGET(rotation_vectors);
 constexpr RowKernel<BinaryRows<4, 1, 4>> kPowKernels[] = QTRAJ_OF_EACH_TARGET(pow);
@@ -116,8 +115,9 @@ Outcome for_each_quaternion(const UnaryRows<4, 3>& rows, size_t count, RowKernel
   });
 }
 
-Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count, RowKernel<UnaryRows<3, 4>> kernel) {
-  const auto from_row = [&](size_t row) { return kernel(rows, row, count); };
+Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count) {
+  const ExpRows exp_rows = {rows.in, factor, rows.out};
+  const auto from_row = [&](size_t row) { return kExpKernels[target()](exp_rows, row, count); };
   return for_each_row(count, rows.out, from_row, [&](size_t row, Quaternion& q) {
     if (!is_finite(rows.in, row)) return Status::not_finite;
     q = exp_of(factor * row_of(rows.in, row));
@@ -127,13 +127,9 @@ Outcome exp_of_multiple(double factor, const UnaryRows<3, 4>& rows, size_t count
 
 }  // namespace
 
-Outcome exp(const UnaryRows<3, 4>& rows, size_t count) {
-  return exp_of_multiple(1.0, rows, count, kExpKernels[target()]);
-}
+Outcome exp(const UnaryRows<3, 4>& rows, size_t count) { return exp_of_multiple(1.0, rows, count); }
 
-Outcome q_from_rotation_vector(const UnaryRows<3, 4>& rows, size_t count) {
-  return exp_of_multiple(0.5, rows, count, kExpOfHalfKernels[target()]);
-}
+Outcome q_from_rotation_vector(const UnaryRows<3, 4>& rows, size_t count) { return exp_of_multiple(0.5, rows, count); }
 
 Outcome log(const UnaryRows<4, 3>& rows, size_t count) {
   return for_each_quaternion(rows, count, kLogKernels[target()], [](const Quaternion& value, Vector3& v) {

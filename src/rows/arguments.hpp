@@ -31,6 +31,20 @@ struct FractionRows {
   double* fraction;
 };
 
+// exp(scale v), scale a power of two.
+struct ExpRows {
+  Input<3> v;
+  double scale;
+  Output<4> q;
+};
+
+// The angle between a and b in R^4, or that by which the body turns: twice that to the nearer of b and -b.
+struct AngleRows {
+  Input<4> a, b;
+  bool is_turn;  // arrays of double only
+  Output<1> angle;
+};
+
 struct RotateRows {
   Input<4> q_wb;
   Input<3> v_body;

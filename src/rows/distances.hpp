@@ -7,28 +7,15 @@
 namespace qtraj {
 namespace {
 
-// In R^4.
-struct DistanceOf {
-  static constexpr bool kHasFloats = true;
-
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
-    return angle_of<Arithmetic>(point);
-  }
-};
-
-// By which the body turns: twice the angle to the nearer of b and -b.
-struct RotationAngleOf {
-  static constexpr bool kHasFloats = false;
-
-  template <class Arithmetic, class Number>
-  QTRAJ_INLINE static Number compute(const PointOf<Number>& point) {
-    const auto is_back = point.w.value < Number(0.0);
-    const DoubleDoubleOf<Number> w = {select(is_back, -point.w.value, point.w.value),
-                                      select(is_back, -point.w.error, point.w.error)};
-    return Number(2.0) * angle_of<Arithmetic>(PointOf<Number>{w, point.sine});
-  }
-};
+// The angle that rows ask for, of the point of a* b.
+template <class Arithmetic, class Number>
+QTRAJ_INLINE Number angle_asked_for(const AngleRows& rows, const PointOf<Number>& point) {
+  if (!rows.is_turn) return angle_of<Arithmetic>(point);
+  const auto is_back = point.w.value < Number(0.0);
+  const DoubleDoubleOf<Number> w = {select(is_back, -point.w.value, point.w.value),
+                                    select(is_back, -point.w.error, point.w.error)};
+  return Number(2.0) * angle_of<Arithmetic>(PointOf<Number>{w, point.sine});
+}
 
 // What one loop over a tile leaves for the next, one vector after the other: short loops overlap the long dependency
 // chains of their rows.
@@ -39,8 +26,8 @@ struct PointTile {
 };
 
 // Does one tile of up to `vectors` vectors of rows from `row` on, and tells how many.
-template <class Function, class Arithmetic, class Number>
-QTRAJ_INLINE size_t angle_tile(const BinaryRows<4, 4, 1>& rows, size_t row, size_t vectors) {
+template <class Arithmetic, class Number>
+QTRAJ_INLINE size_t angle_tile(const AngleRows& rows, size_t row, size_t vectors) {
   using Real = Element<Number>;
   constexpr size_t kLanes = kLanesOf<Number>;
   PointTile<Number> tile;
@@ -56,8 +43,8 @@ QTRAJ_INLINE size_t angle_tile(const BinaryRows<4, 4, 1>& rows, size_t row, size
   }
   for (size_t k = 0; k < done; ++k) {
     const PointOf<Number> point = {{tile.w[k], tile.w_error[k]}, {tile.sine[k], tile.residual[k]}};
-    const Number angle[1] = {Function::template compute<Arithmetic>(point)};
-    store_rows(angle, static_cast<Real*>(rows.out.data), row + k * kLanes);
+    const Number angle[1] = {angle_asked_for<Arithmetic>(rows, point)};
+    store_rows(angle, static_cast<Real*>(rows.angle.data), row + k * kLanes);
   }
   return done;
 }
@@ -65,7 +52,7 @@ QTRAJ_INLINE size_t angle_tile(const BinaryRows<4, 4, 1>& rows, size_t row, size
 // Between quaternions of float, in double, where their products are exact, and rounded: to 0.51 eps of float, besides
 // 1e-15 that the sums make of tiny angles. Terms are in the order in which they cancel for a = b and a = -b.
 template <class Arithmetic, class Number>
-QTRAJ_INLINE bool float_distance_rows(const BinaryRows<4, 4, 1>& rows, size_t row) {
+QTRAJ_INLINE bool float_distance_rows(const AngleRows& rows, size_t row) {
   Number a[4], b[4];
   if (!load_rows<float>(rows.a, row, a) || !load_rows<float>(rows.b, row, b)) return false;
   const Number v[3] = {dot_product<Arithmetic>({a[0], -a[1], -a[2], a[3]}, {b[1], b[0], b[3], b[2]}),
@@ -73,23 +60,21 @@ QTRAJ_INLINE bool float_distance_rows(const BinaryRows<4, 4, 1>& rows, size_t ro
                        dot_product<Arithmetic>({a[0], -a[3], -a[1], a[2]}, {b[3], b[0], b[2], b[1]})};
   const Number sine = square_root(dot_product<Arithmetic>(v, v));
   const Number angle[1] = {angle_of_point<Arithmetic>(sine, dot_product<Arithmetic>(a, b))};
-  store_rows(angle, static_cast<float*>(rows.out.data), row);
+  store_rows(angle, static_cast<float*>(rows.angle.data), row);
   return true;
 }
 
-template <class Function, class Arithmetic, class Number>
-size_t angles(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  if constexpr (Function::kHasFloats) {
-    if (rows.out.is_float)
-      return do_rows<Number>(first, count,
-                             [&](size_t row) { return float_distance_rows<Arithmetic, Number>(rows, row); });
-  }
+template <class Arithmetic, class Number>
+size_t angles(const AngleRows& rows, size_t first, size_t count) {
+  if (rows.angle.is_float)
+    return do_rows<Number>(first, count,
+                           [&](size_t row) { return float_distance_rows<Arithmetic, Number>(rows, row); });
   if constexpr (!kIsFused<Arithmetic>) return 0;
   constexpr size_t kLanes = kLanesOf<Number>, kMost = PointTile<Number>::kVectors;
   size_t row = first;
   while (count - row >= kLanes) {
     const size_t left = (count - row) / kLanes, vectors = left < kMost ? left : kMost;
-    const size_t done = angle_tile<Function, Arithmetic, Number>(rows, row, vectors);
+    const size_t done = angle_tile<Arithmetic, Number>(rows, row, vectors);
     row += done * kLanes;
     if (done < vectors) break;
   }

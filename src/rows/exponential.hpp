@@ -58,37 +58,28 @@ QTRAJ_INLINE bool cos_sinc_of(const DoubleDoubleOf<Number>& y, CosSinc<Number>& 
   return true;
 }
 
-// What of a vector is taken: all of a half-angle vector, half of a rotation vector.
-struct FullAngle {
-  static constexpr int kParts = 1;
-};
-struct HalfAngle {
-  static constexpr int kParts = 2;
-};
-
-template <class Part, class Arithmetic, class Number>
-QTRAJ_INLINE bool exp_rows(const UnaryRows<3, 4>& rows, size_t row, size_t count) {
+template <class Arithmetic, class Number>
+QTRAJ_INLINE bool exp_rows(const ExpRows& rows, size_t row, size_t count) {
   using Real = Element<Number>;
-  Real* const out = static_cast<Real*>(rows.out.data);
+  Real* const out = static_cast<Real*>(rows.q.data);
   Number v[3];
   CosSinc<Number> f;
   prefetch_output<Real, 4, kLanesOf<Number>>(out, row, count);
-  if (!load_numbers<Real>(rows.in, row, v) || !all(is_below(v, Real(4 * Part::kParts)))) return false;
-  if constexpr (Part::kParts > 1)
-    for (Number& component : v) component = Number(Real(1) / Part::kParts) * component;
+  if (!load_numbers<Real>(rows.v, row, v) || !all(is_below(v, static_cast<Real>(4 / rows.scale)))) return false;
+  for (Number& component : v) component = Number(static_cast<Real>(rows.scale)) * component;
   if (!cos_sinc_of<Arithmetic>(precise_square<Arithmetic>(v), f)) return false;
   const Number q[4] = {f.c, f.k * v[0], f.k * v[1], f.k * v[2]};
   store_rows(q, out, row);
   return true;
 }
 
-template <class Part, class Arithmetic, class Number, class FloatNumber>
-size_t exps(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
-  const auto exps_in = [&](auto number) {
+template <class Arithmetic, class Number, class FloatNumber>
+size_t exp(const ExpRows& rows, size_t first, size_t count) {
+  const auto exp_in = [&](auto number) {
     using In = decltype(number);
-    return do_rows<In>(first, count, [&](size_t row) { return exp_rows<Part, Arithmetic, In>(rows, row, count); });
+    return do_rows<In>(first, count, [&](size_t row) { return exp_rows<Arithmetic, In>(rows, row, count); });
   };
-  return rows.out.is_float ? exps_in(FloatNumber()) : exps_in(Number());
+  return rows.q.is_float ? exp_in(FloatNumber()) : exp_in(Number());
 }
 
 }  // namespace

@@ -10,13 +10,8 @@
 namespace qtraj {
 namespace QTRAJ_TARGET {
 
-size_t exp(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::exps<FullAngle, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::exp>(rows, first, count);
-}
-
-size_t exp_of_half(const UnaryRows<3, 4>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::exps<HalfAngle, Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::exp_of_half>(rows, first,
-                                                                                                      count);
+size_t exp(const ExpRows& rows, size_t first, size_t count) {
+  return run_rows<qtraj::exp<Arithmetic, Number, FloatNumber>, QTRAJ_SCALAR::exp>(rows, first, count);
 }
 
 size_t log(const UnaryRows<4, 3>& rows, size_t first, size_t count) {
@@ -32,12 +27,8 @@ size_t pow(const BinaryRows<4, 1, 4>& rows, size_t first, size_t count) {
   return run_rows<powers<Arithmetic, Number>, QTRAJ_SCALAR::pow>(rows, first, count);
 }
 
-size_t distance(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  return run_rows<angles<DistanceOf, Arithmetic, Number>, QTRAJ_SCALAR::distance>(rows, first, count);
-}
-
-size_t rotation_angle(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  return run_rows<angles<RotationAngleOf, Arithmetic, Number>, QTRAJ_SCALAR::rotation_angle>(rows, first, count);
+size_t angles(const AngleRows& rows, size_t first, size_t count) {
+  return run_rows<qtraj::angles<Arithmetic, Number>, QTRAJ_SCALAR::angles>(rows, first, count);
 }
 
 }  // namespace QTRAJ_TARGET

@@ -22,10 +22,8 @@ namespace qtraj {
   size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);              \
   size_t log(const UnaryRows<4, 3>& rows, size_t first, size_t count);                       \
   size_t rotation_vectors(const UnaryRows<4, 3>& rows, size_t first, size_t count);          \
-  size_t exp(const UnaryRows<3, 4>& rows, size_t first, size_t count);                       \
-  size_t exp_of_half(const UnaryRows<3, 4>& rows, size_t first, size_t count);               \
-  size_t distance(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count);              \
-  size_t rotation_angle(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count);        \
+  size_t exp(const ExpRows& rows, size_t first, size_t count);                               \
+  size_t angles(const AngleRows& rows, size_t first, size_t count);                          \
   size_t pow(const BinaryRows<4, 1, 4>& rows, size_t first, size_t count);                   \
   size_t slerp(const PairRows& pairs, size_t first, size_t count);                           \
   size_t nlerp(const PairRows& pairs, size_t first, size_t count);                           \
