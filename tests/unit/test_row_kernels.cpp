@@ -5,26 +5,20 @@
 #include <array>
 #include <cfenv>
 #include <cfloat>
-#include <functional>
 
 #include "support/guarded.hpp"
 #include "support/kernel_curves.hpp"
 #include "support/random.hpp"
+#include "support/row_functions.hpp"
 
 namespace {
 
 using test::Guarded;
 using test::Random;
+using test::RowFunction;
 
 constexpr size_t kMost = 64;  // rows: every tail of a vector
-
-template <class Real>
-struct RowKernel {
-  const char* name;
-  std::vector<size_t> inputs;  // widths, the last of 1 a fraction
-  size_t output;
-  std::function<qtraj_status(const Real* const* in, size_t count, Real* out, size_t* bad_index)> call;
-};
+constexpr size_t kWidest = 9, kMostInputs = 5;
 
 template <class Real>
 std::vector<double> in_double(const Real* numbers, size_t count) {
@@ -32,101 +26,57 @@ std::vector<double> in_double(const Real* numbers, size_t count) {
 }
 
 // Pairs whose ends have the times 0 and 1: times are fractions.
-#define QTRAJ_TEST_TIMED_PAIRS(function)                                                        \
-  {                                                                                             \
-#function, {4, 4, 1 }, 4, [](auto in, size_t n, auto out, size_t* bad) {                      \
-  const std::vector<double> starts(n, 0.0), ends(n, 1.0), times = in_double(in[2], n);           \
-  return function(in[0], starts.data(), n, in[1], ends.data(), n, times.data(), n, n, QTRAJ_PATH_AS_GIVEN, out, bad); \
+#define QTRAJ_TEST_TIMED_PAIRS(function)                                                                     \
+  {                                                                                                          \
+#function, {{4}, {4}, {1 }}, {4}, false, [](auto in, size_t n, auto out, size_t* bad) {                    \
+  const std::vector<double> starts(n, 0.0), ends(n, 1.0), times = in_double(in[2], n);                          \
+  return function(in[0], starts.data(), n, in[1], ends.data(), n, times.data(), n, n, QTRAJ_PATH_AS_GIVEN, out[0], bad); \
   } \
   }
 
-#define QTRAJ_TEST_PAIRS(function, path)                                                                    \
-  {                                                                                                         \
-#function " " #path,                                                                                    \
-        {4, 4, 1 }, 4,                                                                                      \
-         [](auto in, size_t n, auto out,                                                                    \
-            size_t* bad) { return function(in[0], n, in[1], n, in[2], n, n, QTRAJ_PATH_##path, out, bad); } \
+#define QTRAJ_TEST_PAIRS(function, path)                                                                               \
+  {                                                                                                                    \
+#function " " #path,                                                                                               \
+        {{4 }, {4 }, {1 } },                                                                                           \
+                {4 }, false,                                                                                           \
+                 [](auto in, size_t n, auto out,                                                                       \
+                    size_t* bad) { return function(in[0], n, in[1], n, in[2], n, n, QTRAJ_PATH_##path, out[0], bad); } \
   }
 
-std::vector<RowKernel<double>> row_kernels(double) {
-  return {
+// All functions over rows: those of the common table, and those whose rows of one number are fractions.
+std::vector<RowFunction<double>> functions(double) {
+  std::vector<RowFunction<double>> all = {
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs, AS_GIVEN),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs, AS_GIVEN),
       QTRAJ_TEST_TIMED_PAIRS(qtraj_slerp_pairs_between),
       QTRAJ_TEST_TIMED_PAIRS(qtraj_nlerp_pairs_between),
-      {"multiply",
-       {4, 4},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_multiply(in[0], n, in[1], n, n, out, bad); }},
-      {"exp", {3}, 4, [](auto in, size_t n, auto out, size_t* bad) { return qtraj_exp(in[0], n, out, bad); }},
-      {"q_from_rotation_vector",
-       {3},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_q_from_rotation_vector(in[0], n, out, bad); }},
-      {"log", {4}, 3, [](auto in, size_t n, auto out, size_t* bad) { return qtraj_log(in[0], n, out, bad); }},
-      {"rotation_vector_from_q",
-       {4},
-       3,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotation_vector_from_q(in[0], n, out, bad); }},
-      {"pow",
-       {4, 1},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_pow(in[0], in[1], n, n, out, bad); }},
-      {"distance",
-       {4, 4},
-       1,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_distance(in[0], n, in[1], n, n, out, bad); }},
-      {"rotation_angle",
-       {4, 4},
-       1,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotation_angle(in[0], n, in[1], n, n, out, bad); }},
-      {"rotate",
-       {4, 3},
-       3,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotate(in[0], n, in[1], n, n, out, bad); }},
       {"normalize",
+       {{4}},
        {4},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize(in[0], n, out, bad); }},
+       false,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize(in[0], n, out[0], bad); }},
   };
+  for (const RowFunction<double>& function : test::row_functions(0.0)) all.push_back(function);
+  return all;
 }
-std::vector<RowKernel<float>> row_kernels(float) {
-  return {
+std::vector<RowFunction<float>> functions(float) {
+  std::vector<RowFunction<float>> all = {
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs_f32, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_slerp_pairs_f32, AS_GIVEN),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, SHORTEST),
       QTRAJ_TEST_PAIRS(qtraj_nlerp_pairs_f32, AS_GIVEN),
       QTRAJ_TEST_TIMED_PAIRS(qtraj_slerp_pairs_between_f32),
       QTRAJ_TEST_TIMED_PAIRS(qtraj_nlerp_pairs_between_f32),
-      {"multiply_f32",
-       {4, 4},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_multiply_f32(in[0], n, in[1], n, n, out, bad); }},
-      {"exp_f32", {3}, 4, [](auto in, size_t n, auto out, size_t* bad) { return qtraj_exp_f32(in[0], n, out, bad); }},
-      {"q_from_rotation_vector_f32",
-       {3},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_q_from_rotation_vector_f32(in[0], n, out, bad); }},
-      {"log_f32", {4}, 3, [](auto in, size_t n, auto out, size_t* bad) { return qtraj_log_f32(in[0], n, out, bad); }},
-      {"rotation_vector_from_q_f32",
-       {4},
-       3,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotation_vector_from_q_f32(in[0], n, out, bad); }},
-      {"distance_f32",
-       {4, 4},
-       1,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_distance_f32(in[0], n, in[1], n, n, out, bad); }},
-      {"rotate_f32",
-       {4, 3},
-       3,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_rotate_f32(in[0], n, in[1], n, n, out, bad); }},
       {"normalize_f32",
+       {{4}},
        {4},
-       4,
-       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize_f32(in[0], n, out, bad); }},
+       false,
+       [](auto in, size_t n, auto out, size_t* bad) { return qtraj_normalize_f32(in[0], n, out[0], bad); }},
   };
+  for (const RowFunction<float>& function : test::row_functions(0.0f)) all.push_back(function);
+  return all;
 }
 
 qtraj_status make_continuous(const double* q, size_t series, size_t length, double* out, size_t* flips, size_t* bad) {
@@ -150,8 +100,10 @@ std::vector<Real> rows(Random& random, size_t width, int rare) {
     for (size_t k = 0; k < 4; ++k) q[k] = row % 3 == 0 ? -q[k] : row % 3 == 1 ? other[k] : q[k] + 1e-9 * other[k];
     const auto at = static_cast<size_t>(random.uniform(0, static_cast<double>(width) * rare));
     const double norm = random.uniform(0, rare) < 1 ? norms[row % 9] : 1;
+    double matrix[9];
+    if (width == 9) qtraj_matrix_from_q(q.data(), 1, matrix, nullptr);
     for (size_t k = 0; k < width; ++k) {
-      double value = width == 1 ? random.uniform(0, 1) : norm * q[k];
+      double value = width == 1 ? random.uniform(0, 1) : norm * (width == 9 ? matrix[k] : q[k]);
       if (k == at) value = width == 1 ? odd[row % 8] + 1 : value * odd[row % 8];
       all.push_back(static_cast<Real>(value));
     }
@@ -169,7 +121,7 @@ bool same_bits(const Real* a, const Real* b, size_t count) {
 // One input's rows between guard pages.
 template <class Real>
 struct GuardedRows {
-  Guarded<Real> memory{4 * kMost};
+  Guarded<Real> memory{kWidest * kMost};
   const Real* place(const std::vector<Real>& from, size_t numbers, bool at_end) {
     memory.protect(PROT_READ | PROT_WRITE);
     Real* to = memory.array(numbers, at_end);
@@ -179,46 +131,72 @@ struct GuardedRows {
   }
 };
 
+// The outputs of a call, each between guard pages or alone.
 template <class Real>
-void check(const RowKernel<Real>& kernel, int rare) {
+struct GuardedOutput {
+  Guarded<Real> memory{kWidest * kMost};
+  Real* array = nullptr;
+
+  void place(size_t numbers, bool at_end) {
+    memory.fill(0x5a);
+    array = memory.array(numbers, at_end);
+  }
+};
+
+template <class Real>
+void check(const RowFunction<Real>& function, int rare) {
   Random random(41 + static_cast<uint64_t>(rare));
-  std::vector<std::vector<Real>> in;
-  for (const size_t width : kernel.inputs) in.push_back(rows<Real>(random, width, rare));
-  std::vector<Real> expected(kernel.output * kMost);
+  const size_t inputs = function.inputs.size(), outputs = function.outputs.size();
+  std::vector<std::vector<Real>> in, expected;
+  for (const test::RowInput& input : function.inputs) in.push_back(rows<Real>(random, input.width, rare));
+  for (const size_t width : function.outputs) expected.emplace_back(width * kMost);
   std::vector<qtraj_status> statuses;
   for (size_t row = 0; row < kMost; ++row) {
     std::vector<const Real*> from;
-    for (size_t k = 0; k < in.size(); ++k) from.push_back(&in[k][kernel.inputs[k] * row]);
-    statuses.push_back(kernel.call(from.data(), 1, &expected[kernel.output * row], nullptr));
+    std::vector<Real*> to;
+    for (size_t k = 0; k < inputs; ++k) from.push_back(&in[k][function.inputs[k].width * row]);
+    for (size_t k = 0; k < outputs; ++k) to.push_back(&expected[k][function.outputs[k] * row]);
+    statuses.push_back(function.call(from.data(), 1, to.data(), nullptr));
   }
 
-  std::array<GuardedRows<Real>, 3> from;
-  Guarded<Real> to(4 * kMost);
+  std::array<GuardedRows<Real>, kMostInputs> from;
+  std::array<GuardedOutput<Real>, 2> to;
   size_t wrong = 0, wrong_outcome = 0, wrote_outside = 0, raised = 0;
   for (size_t count = 0; count <= kMost; ++count)
     for (const bool at_end : {true, false}) {
+      const auto all_as_expected = [&] {
+        bool same = true;
+        for (size_t k = 0; k < outputs; ++k)
+          same = same && same_bits(to[k].array, expected[k].data(), function.outputs[k] * count);
+        return same;
+      };
       std::vector<const Real*> placed;
-      for (size_t k = 0; k < in.size(); ++k) placed.push_back(from[k].place(in[k], kernel.inputs[k] * count, at_end));
-      to.fill(0x5a);
-      Real* out = to.array(kernel.output * count, at_end);
+      for (size_t k = 0; k < inputs; ++k)
+        placed.push_back(from[k].place(in[k], function.inputs[k].width * count, at_end));
+      std::vector<Real*> out;
+      for (size_t k = 0; k < outputs; ++k) {
+        to[k].place(function.outputs[k] * count, at_end);
+        out.push_back(to[k].array);
+      }
       size_t bad_index = 7;
       std::feclearexcept(FE_ALL_EXCEPT);
-      const qtraj_status status = kernel.call(placed.data(), count, out, &bad_index);
+      const qtraj_status status = function.call(placed.data(), count, out.data(), &bad_index);
       raised += std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) != 0;
       size_t first_bad = 0;
       while (first_bad < count && statuses[first_bad] == QTRAJ_OK) ++first_bad;
       const bool all_ok = first_bad == count;
       wrong_outcome +=
           status != (all_ok ? QTRAJ_OK : statuses[first_bad]) || bad_index != (all_ok ? SIZE_MAX : first_bad);
-      wrong += !same_bits(out, expected.data(), kernel.output * count);
-      wrote_outside += !to.holds_around(out, kernel.output * count, 0x5a);
-      for (size_t k = 0; k < in.size(); ++k) {  // in place
-        if (kernel.inputs[k] != kernel.output) continue;
-        std::copy_n(in[k].begin(), kernel.output * count, out);
+      wrong += !all_as_expected();
+      for (size_t k = 0; k < outputs; ++k)
+        wrote_outside += !to[k].memory.holds_around(out[k], function.outputs[k] * count, 0x5a);
+      for (size_t k = 0; k < inputs; ++k) {  // in place
+        if (function.inputs[k].width != function.outputs[0]) continue;
+        std::copy_n(in[k].begin(), function.outputs[0] * count, out[0]);
         std::vector<const Real*> one_of_them = placed;
-        one_of_them[k] = out;
-        kernel.call(one_of_them.data(), count, out, nullptr);
-        wrong += !same_bits(out, expected.data(), kernel.output * count);
+        one_of_them[k] = out[0];
+        function.call(one_of_them.data(), count, out.data(), nullptr);
+        wrong += !all_as_expected();
       }
     }
   CHECK(wrong == 0);
@@ -230,13 +208,13 @@ void check(const RowKernel<Real>& kernel, int rare) {
 TEST_CASE("functions over rows give each row what it gets alone, in every kernel", "[row_kernels]") {
   test::for_every_kernel([](const char*) {
     for (const int rare : {1, 3, 20, 1000000}) {
-      for (const auto& kernel : row_kernels(0.0)) {
-        CAPTURE(kernel.name, rare);
-        check(kernel, rare);
+      for (const auto& function : functions(0.0)) {
+        CAPTURE(function.name, rare);
+        check(function, rare);
       }
-      for (const auto& kernel : row_kernels(0.0f)) {
-        CAPTURE(kernel.name, rare);
-        check(kernel, rare);
+      for (const auto& function : functions(0.0f)) {
+        CAPTURE(function.name, rare);
+        check(function, rare);
       }
     }
   });
