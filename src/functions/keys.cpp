@@ -85,16 +85,25 @@ bool has_negative_dot(const Quaternion& a, const Quaternion& b) {
   return false;
 }
 
-// Rotates each row: moves its first MovedBytes bytes to the end.
-template <size_t MovedBytes, size_t RowBytes>
+// Rotates each row of four: its first `Moved` numbers go to the end. As whole numbers, because a signalling NaN may be
+// changed on its way through a floating-point register; one by one, because what is written to memory in one width and
+// read in another would have to wait.
+template <size_t Moved, class Bits>
 void rotate_rows(const void* from, size_t count, void* to) {
+  constexpr size_t kRow = 4 * sizeof(Bits);
   const auto* source = static_cast<const unsigned char*>(from);
   auto* target = static_cast<unsigned char*>(to);
-  for (size_t row = 0; row < count; ++row, source += RowBytes, target += RowBytes) {
-    unsigned char moved[RowBytes];
-    std::memcpy(moved, source + MovedBytes, RowBytes - MovedBytes);
-    std::memcpy(moved + (RowBytes - MovedBytes), source, MovedBytes);
-    std::memcpy(target, moved, RowBytes);
+  const auto number = [&](size_t k) {
+    Bits bits;
+    std::memcpy(&bits, source + k % 4 * sizeof(Bits), sizeof(Bits));
+    return bits;
+  };
+  for (size_t row = 0; row < count; ++row, source += kRow, target += kRow) {
+    const Bits first = number(Moved), second = number(Moved + 1), third = number(Moved + 2), last = number(Moved + 3);
+    std::memcpy(target, &first, sizeof(Bits));
+    std::memcpy(target + sizeof(Bits), &second, sizeof(Bits));
+    std::memcpy(target + 2 * sizeof(Bits), &third, sizeof(Bits));
+    std::memcpy(target + 3 * sizeof(Bits), &last, sizeof(Bits));
   }
 }
 
@@ -231,11 +240,11 @@ Outcome make_continuous(const ContinuousRows& rows, const SeriesLayout& layout) 
 }
 
 void wxyz_from_xyzw(const void* q_xyzw, size_t element_bytes, size_t count, void* q_out) {
-  element_bytes == 4 ? rotate_rows<12, 16>(q_xyzw, count, q_out) : rotate_rows<24, 32>(q_xyzw, count, q_out);
+  element_bytes == 4 ? rotate_rows<3, uint32_t>(q_xyzw, count, q_out) : rotate_rows<3, uint64_t>(q_xyzw, count, q_out);
 }
 
 void xyzw_from_wxyz(const void* q, size_t element_bytes, size_t count, void* q_xyzw_out) {
-  element_bytes == 4 ? rotate_rows<4, 16>(q, count, q_xyzw_out) : rotate_rows<8, 32>(q, count, q_xyzw_out);
+  element_bytes == 4 ? rotate_rows<1, uint32_t>(q, count, q_xyzw_out) : rotate_rows<1, uint64_t>(q, count, q_xyzw_out);
 }
 
 }  // namespace qtraj
