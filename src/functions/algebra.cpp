@@ -40,6 +40,10 @@ Chords chords(const Quaternion& a, const Quaternion& b) {
 
 constexpr RowKernel<BinaryRows<4, 4, 4>> kMultiplyKernels[] = QTRAJ_OF_EACH_TARGET(multiply);
 constexpr RowKernel<AngleRows> kAngleKernels[] = QTRAJ_OF_EACH_TARGET(angles);
+constexpr RowKernel<BinaryRows<4, 4, 1>> kDotKernels[] = QTRAJ_OF_EACH_TARGET(dot);
+constexpr RowKernel<UnaryRows<4, 4>> kConjugateKernels[] = QTRAJ_OF_EACH_TARGET(conjugate);
+constexpr RowKernel<UnaryRows<4, 4>> kInverseKernels[] = QTRAJ_OF_EACH_TARGET(inverse);
+constexpr RowKernel<UnaryRows<4, 1>> kNormKernels[] = QTRAJ_OF_EACH_TARGET(norm);
 constexpr RowKernel<RotateRows> kRotateKernels[] = QTRAJ_OF_EACH_TARGET(rotate);
 
 // Calls `compute(a, b)`, an angle, for each pair of quaternions other than 0 that the kernel leaves.
@@ -68,7 +72,8 @@ Outcome multiply(const BinaryRows<4, 4, 4>& rows, size_t count) {
 }
 
 Outcome conjugate(const UnaryRows<4, 4>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Quaternion& result) {
+  const auto kernel = [&](size_t row) { return kConjugateKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Quaternion& result) {
     if (!is_finite(rows.in, row)) return Status::not_finite;
     result = conjugate(row_of(rows.in, row));
     return Status::ok;
@@ -76,7 +81,8 @@ Outcome conjugate(const UnaryRows<4, 4>& rows, size_t count) {
 }
 
 Outcome inverse(const UnaryRows<4, 4>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Quaternion& result) {
+  const auto kernel = [&](size_t row) { return kInverseKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Quaternion& result) {
     if (!is_finite(rows.in, row)) return Status::not_finite;
     if (is_zero(rows.in, row)) return Status::zero_norm;
     const Scaled<Quaternion> scaled = scale(row_of(rows.in, row));
@@ -87,7 +93,8 @@ Outcome inverse(const UnaryRows<4, 4>& rows, size_t count) {
 }
 
 Outcome norm(const UnaryRows<4, 1>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Row<1>& value) {
+  const auto kernel = [&](size_t row) { return kNormKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Row<1>& value) {
     if (!is_finite(rows.in, row)) return Status::not_finite;
     const Scaled<Quaternion> scaled = scale(row_of(rows.in, row));
     value[0] = unscale(length(scaled.value), scaled.steps);
@@ -96,7 +103,8 @@ Outcome norm(const UnaryRows<4, 1>& rows, size_t count) {
 }
 
 Outcome dot(const BinaryRows<4, 4, 1>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Row<1>& value) {
+  const auto kernel = [&](size_t row) { return kDotKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Row<1>& value) {
     if (!is_finite(rows.a, row) || !is_finite(rows.b, row)) return Status::not_finite;
     const Scaled<Quaternion> left = scale(row_of(rows.a, row)), right = scale(row_of(rows.b, row));
     value[0] = unscale(dot(left.value, right.value), left.steps + right.steps);

@@ -97,15 +97,6 @@ template <class Real>
 QTRAJ_INLINE void load_interleaved(const Real* from, Wide<Real> (&v)[2]) {
   hn::LoadInterleaved2(typename Wide<Real>::Tag(), from, v[0].lanes, v[1].lanes);
 }
-template <class Real>
-QTRAJ_INLINE void load_interleaved(const Real* from, Wide<Real> (&v)[3]) {
-  hn::LoadInterleaved3(typename Wide<Real>::Tag(), from, v[0].lanes, v[1].lanes, v[2].lanes);
-}
-QTRAJ_INLINE void load_interleaved(const double* from, Wide<double> (&v)[4]) { convert_rows(from, 0, v); }
-QTRAJ_INLINE void load_interleaved(const float* from, Wide<float> (&v)[4]) {
-  hn::LoadInterleaved4(Wide<float>::Tag(), from, v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes);
-}
-
 template <size_t Width, class Real>
 size_t interleave(const RowsOfColumns<Real>& table, size_t count) {
   constexpr size_t kLanes = Wide<Real>::kLanes;

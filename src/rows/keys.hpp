@@ -1,4 +1,4 @@
-// Kernels over keys: normalisation, rotation of vectors, continuity of signs, and what constructors need of all
+// Kernels over keys: normalisation, continuity of signs, and what constructors need of all
 // keyframes. Plain arithmetic: the same bits in the core and in kernels of either arithmetic.
 #pragma once
 
@@ -18,18 +18,6 @@ size_t normalize(const NormalizeRows& rows, size_t first, size_t count) {
     Number a[4];
     if (!load_own_rows<Real>(rows.q, row, a)) return false;
     store_rows(unit_of(a).value, static_cast<Real*>(rows.q_out.data), row);
-    return true;
-  });
-}
-
-template <class Number>
-size_t rotate(const RotateRows& rows, size_t first, size_t count) {
-  return do_rows<Number>(rows.v_body.is_float, first, count, [&](size_t row, auto real) {
-    using Real = decltype(real);
-    Number a[4], v[3];
-    if (!load_rows<Real>(rows.q_wb, row, a) || !load_rows<Real>(rows.v_body, row, v)) return false;
-    rotate_to_world<Plain>(unit_of(a).value, v);
-    store_rows(v, static_cast<Real*>(rows.v_world.data), row);
     return true;
   });
 }

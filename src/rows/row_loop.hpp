@@ -116,14 +116,45 @@ QTRAJ_INLINE bool is_below(const float (&v)[Size], float power) {
   return largest_bits(v) < bits_of(power);
 }
 
-// Whether a component is of magnitude 2 or more, or NaN: only these have the highest bit of the exponent set.
-constexpr uint64_t kTwoBit = uint64_t{1} << 62;
+inline uint32_t bits_of(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
 
+// a, negated where the sign of `of` is set, also zeros and subnormal numbers that a processor is told to flush.
+QTRAJ_INLINE double flip_signs(double a, double of) {
+  const uint64_t bits = bits_of(a) ^ (bits_of(of) & ~kMagnitudeBits);
+  std::memcpy(&a, &bits, sizeof a);
+  return a;
+}
+
+// Whether a component is of magnitude 2 or more, or NaN: only these have the highest bit of the exponent set. Whether
+// one is of magnitude 2^-511 or more, in float 2^-63: these have that bit or the next.
+constexpr uint64_t kTwoBit = uint64_t{1} << 62, kLargeBits = uint64_t{3} << 61;
+constexpr uint32_t kTwoBitFloat = uint32_t{1} << 30, kLargeBitsFloat = uint32_t{3} << 29;
+
+template <class Real, size_t Size>
+QTRAJ_INLINE auto bits_of_any(const Real (&v)[Size]) {
+  auto bits = bits_of(v[0]);
+  for (const Real component : v) bits |= bits_of(component);
+  return bits;
+}
 template <size_t Size>
 QTRAJ_INLINE bool reaches_two(const double (&v)[Size]) {
-  uint64_t bits = 0;
-  for (const double component : v) bits |= bits_of(component);
-  return (bits & kTwoBit) != 0;
+  return (bits_of_any(v) & kTwoBit) != 0;
+}
+template <size_t Size>
+QTRAJ_INLINE bool reaches_two(const float (&v)[Size]) {
+  return (bits_of_any(v) & kTwoBitFloat) != 0;
+}
+template <size_t Size>
+QTRAJ_INLINE bool is_large(const double (&v)[Size]) {
+  return (bits_of_any(v) & kLargeBits) != 0;
+}
+template <size_t Size>
+QTRAJ_INLINE bool is_large(const float (&v)[Size]) {
+  return (bits_of_any(v) & kLargeBitsFloat) != 0;
 }
 
 // Differences of stamps from an origin as numbers; false where one may not be exact, being past 2^53.

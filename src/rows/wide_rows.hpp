@@ -58,41 +58,19 @@ QTRAJ_INLINE hn::Vec<FloatTag> demoted(Wide<double> a) { return hn::DemoteTo(Flo
 QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[1]) {
   to[0] = Wide<double>::load(from + row);
 }
-QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[3]) {
-  hn::LoadInterleaved3(Wide<double>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
-}
-#if HWY_TARGET == HWY_AVX3
-QTRAJ_INLINE __m512d load_converted(const double* from) { return _mm512_loadu_pd(from); }
-QTRAJ_INLINE __m512d load_converted(const float* from) { return _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
-
-template <class Real>
-QTRAJ_INLINE void convert_rows(const Real* from, size_t row, Wide<double> (&to)[4]) {
-  // one vpermt2pd picks any 8 of 16 numbers: first two fields of four rows, then one field of all eight
-  const auto load = [&](size_t lane) { return load_converted(from + 4 * (row + lane)); };
-  const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13),
-                last = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
-  const __m512d rows01 = load(0), rows23 = load(2), rows45 = load(4), rows67 = load(6);
-  const __m512d low01 = _mm512_permutex2var_pd(rows01, first, rows23);
-  const __m512d low23 = _mm512_permutex2var_pd(rows01, last, rows23);
-  const __m512d high01 = _mm512_permutex2var_pd(rows45, first, rows67);
-  const __m512d high23 = _mm512_permutex2var_pd(rows45, last, rows67);
-  to[0].lanes.raw = _mm512_insertf64x4(low01, _mm512_castpd512_pd256(high01), 1);
-  to[1].lanes.raw = _mm512_shuffle_f64x2(low01, high01, 0xee);
-  to[2].lanes.raw = _mm512_insertf64x4(low23, _mm512_castpd512_pd256(high23), 1);
-  to[3].lanes.raw = _mm512_shuffle_f64x2(low23, high23, 0xee);
-}
-#else
-QTRAJ_INLINE void convert_rows(const double* from, size_t row, Wide<double> (&to)[4]) {
-  const double* rows[Wide<double>::kLanes];
-  for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane) rows[lane] = from + 4 * (row + lane);
-  load_records(rows, to);
+template <class Real, size_t Width>
+QTRAJ_INLINE void convert_rows(const Real* from, size_t row, Wide<Real> (&to)[Width]) {
+  load_interleaved(from + Width * row, to);
 }
 QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[4]) {
+#if HWY_TARGET == HWY_AVX3
+  load_interleaved(from + 4 * row, to);
+#else
   hn::Vec<FloatTag> v0, v1, v2, v3;
   hn::LoadInterleaved4(FloatTag(), from + 4 * row, v0, v1, v2, v3);
   to[0] = promoted(v0), to[1] = promoted(v1), to[2] = promoted(v2), to[3] = promoted(v3);
-}
 #endif
+}
 QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)[1]) {
   to[0] = promoted(hn::LoadU(FloatTag(), from + row));
 }
@@ -105,12 +83,6 @@ QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<double> (&to)
 // Rows of float that are computed with in float.
 QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[1]) {
   to[0] = Wide<float>::load(from + row);
-}
-QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[3]) {
-  hn::LoadInterleaved3(Wide<float>::Tag(), from + 3 * row, to[0].lanes, to[1].lanes, to[2].lanes);
-}
-QTRAJ_INLINE void convert_rows(const float* from, size_t row, Wide<float> (&to)[4]) {
-  hn::LoadInterleaved4(Wide<float>::Tag(), from + 4 * row, to[0].lanes, to[1].lanes, to[2].lanes, to[3].lanes);
 }
 template <size_t Width>
 QTRAJ_INLINE bool can_convert(const float*, size_t, const Wide<float> (&)[Width]) {
@@ -240,12 +212,36 @@ QTRAJ_INLINE WideMask<float> is_below(const Wide<float> (&v)[Size], float power)
   return {hn::RebindMask(Wide<float>::Tag(), hn::Lt(largest_bits(v), limit))};
 }
 
+QTRAJ_INLINE Wide<double> flip_signs(Wide<double> a, Wide<double> of) {
+  return Wide<double>::of(hn::Xor(a.lanes, hn::And(hn::SignBit(Wide<double>::Tag()), of.lanes)));
+}
+
+// Whether any of the components has one of the bits.
+template <class Real, class Bits, size_t Size>
+QTRAJ_INLINE WideMask<Real> has_bits(const Wide<Real> (&v)[Size], Bits wanted) {
+  const hn::RebindToUnsigned<typename Wide<Real>::Tag> tag;
+  auto bits = hn::BitCast(tag, v[0].lanes);
+  for (size_t k = 1; k + 1 < Size; k += 2)
+    bits = hn::Or3(bits, hn::BitCast(tag, v[k].lanes), hn::BitCast(tag, v[k + 1].lanes));
+  if (Size % 2 == 0) bits = hn::Or(bits, hn::BitCast(tag, v[Size - 1].lanes));
+  const auto found = hn::And(bits, hn::Set(tag, wanted));
+  return {hn::RebindMask(typename Wide<Real>::Tag(), hn::Ne(found, hn::Zero(tag)))};
+}
 template <size_t Size>
 QTRAJ_INLINE WideMask<double> reaches_two(const Wide<double> (&v)[Size]) {
-  const BitsTag tag;
-  auto bits = hn::BitCast(tag, v[0].lanes);
-  for (size_t k = 1; k < Size; ++k) bits = hn::Or(bits, hn::BitCast(tag, v[k].lanes));
-  return {hn::RebindMask(Wide<double>::Tag(), hn::TestBit(bits, hn::Set(tag, kTwoBit)))};
+  return has_bits(v, kTwoBit);
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<float> reaches_two(const Wide<float> (&v)[Size]) {
+  return has_bits(v, kTwoBitFloat);
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<double> is_large(const Wide<double> (&v)[Size]) {
+  return has_bits(v, kLargeBits);
+}
+template <size_t Size>
+QTRAJ_INLINE WideMask<float> is_large(const Wide<float> (&v)[Size]) {
+  return has_bits(v, kLargeBitsFloat);
 }
 
 // The scalar overload, which the function below would otherwise hide.

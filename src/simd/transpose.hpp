@@ -121,6 +121,52 @@ constexpr LaneTable<Real> of_three(size_t number, size_t component) {
   return table;
 }
 
+// Every `step`-th number of a sequence from number `begin` on, as far as the sequence goes: it fills two vectors. Lanes
+// past it come from the first vector.
+template <class Real>
+constexpr LaneTable<Real> every(size_t step, size_t begin) {
+  LaneTable<Real> table = {};
+  for (size_t lane = 0; lane < table.kLanes; ++lane) {
+    const size_t from = begin + step * lane;
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(from < 2 * table.kLanes ? from : 0);
+  }
+  return table;
+}
+
+// Rows of three: field `field` of the rows that the first two vectors hold is in its lanes already; the lanes of all
+// others come from the third.
+template <class Real>
+constexpr LaneTable<Real> from_third(size_t field) {
+  LaneTable<Real> table = {};
+  for (size_t lane = 0; lane < table.kLanes; ++lane) {
+    const size_t from = field + 3 * lane;
+    table.lanes[lane] =
+        static_cast<hwy::MakeSigned<Real>>(from < 2 * table.kLanes ? lane : from - 2 * table.kLanes + table.kLanes);
+  }
+  return table;
+}
+
+// The lower or the upper halves of two vectors.
+template <class Real>
+constexpr LaneTable<Real> halves(size_t begin) {
+  LaneTable<Real> table = {};
+  constexpr size_t kHalf = LaneTable<Real>::kLanes / 2;
+  for (size_t lane = 0; lane < table.kLanes; ++lane)
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(begin + lane % kHalf + lane / kHalf * table.kLanes);
+  return table;
+}
+
+// Fields `first` and `first` + 1 of rows of four, of the rows that two vectors hold: those of one field, then the
+// other's.
+template <class Real>
+constexpr LaneTable<Real> two_fields(size_t first) {
+  LaneTable<Real> table = {};
+  constexpr size_t kHalf = LaneTable<Real>::kLanes / 2;
+  for (size_t lane = 0; lane < table.kLanes; ++lane)
+    table.lanes[lane] = static_cast<hwy::MakeSigned<Real>>(first + lane / kHalf + 4 * (lane % kHalf));
+  return table;
+}
+
 QTRAJ_INLINE Wide<double> pick(Wide<double> first, const LaneTable<double>& table, Wide<double> second) {
   return Wide<double>::of({_mm512_permutex2var_pd(first.lanes.raw, _mm512_load_si512(table.lanes), second.lanes.raw)});
 }
@@ -128,6 +174,39 @@ QTRAJ_INLINE Wide<float> pick(Wide<float> first, const LaneTable<float>& table, 
   return Wide<float>::of({_mm512_permutex2var_ps(first.lanes.raw, _mm512_load_si512(table.lanes), second.lanes.raw)});
 }
 
+template <class Real>
+QTRAJ_INLINE void load_interleaved(const Real* from, Wide<Real> (&v)[3]) {
+  constexpr size_t kLanes = Wide<Real>::kLanes;
+  static constexpr LaneTable<Real> kFirst[] = {every<Real>(3, 0), every<Real>(3, 1), every<Real>(3, 2)};
+  static constexpr LaneTable<Real> kThird[] = {from_third<Real>(0), from_third<Real>(1), from_third<Real>(2)};
+  const auto load = [&](size_t part) { return Wide<Real>::load(from + kLanes * part); };
+  const Wide<Real> first = load(0), second = load(1), third = load(2);
+  for (size_t k = 0; k < 3; ++k) v[k] = pick(pick(first, kFirst[k], second), kThird[k], third);
+}
+
+// Loads numbers, and converts floats for a vector of doubles.
+template <class Real>
+QTRAJ_INLINE Wide<Real> load_as(const Real* from, Wide<Real>) {
+  return Wide<Real>::load(from);
+}
+QTRAJ_INLINE Wide<double> load_as(const float* from, Wide<double>) {
+  return Wide<double>::of({_mm512_cvtps_pd(_mm256_loadu_ps(from))});
+}
+
+// From rows of the vectors' type, or of float to double.
+template <class Memory, class Real>
+QTRAJ_INLINE void load_interleaved(const Memory* from, Wide<Real> (&v)[4]) {
+  constexpr size_t kLanes = Wide<Real>::kLanes;
+  static constexpr LaneTable<Real> kTwoFields[] = {two_fields<Real>(0), two_fields<Real>(2)};
+  static constexpr LaneTable<Real> kHalves[] = {halves<Real>(0), halves<Real>(kLanes / 2)};
+  const auto load = [&](size_t part) { return load_as(from + kLanes * part, Wide<Real>()); };
+  const Wide<Real> part0 = load(0), part1 = load(1), part2 = load(2), part3 = load(3);
+  for (size_t k = 0; k < 2; ++k) {
+    const Wide<Real> low = pick(part0, kTwoFields[k], part1), high = pick(part2, kTwoFields[k], part3);
+    v[2 * k] = pick(low, kHalves[0], high);
+    v[2 * k + 1] = pick(low, kHalves[1], high);
+  }
+}
 template <class Real>
 QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[4], Real* to) {
   constexpr size_t kLanes = Wide<Real>::kLanes;
@@ -149,6 +228,18 @@ QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[3], Real* to) {
   for (size_t k = 0; k < 3; ++k) pick(pick(v[0], kFirstTwo[k], v[1]), kLast[k], v[2]).store(to + k * kLanes);
 }
 #else
+template <class Real>
+QTRAJ_INLINE void load_interleaved(const Real* from, Wide<Real> (&v)[3]) {
+  hn::LoadInterleaved3(typename Wide<Real>::Tag(), from, v[0].lanes, v[1].lanes, v[2].lanes);
+}
+QTRAJ_INLINE void load_interleaved(const double* from, Wide<double> (&v)[4]) {
+  const double* rows[Wide<double>::kLanes];
+  for (size_t lane = 0; lane < Wide<double>::kLanes; ++lane) rows[lane] = from + 4 * lane;
+  load_records(rows, v);
+}
+QTRAJ_INLINE void load_interleaved(const float* from, Wide<float> (&v)[4]) {
+  hn::LoadInterleaved4(Wide<float>::Tag(), from, v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes);
+}
 template <class Real>
 QTRAJ_INLINE void store_interleaved(const Wide<Real> (&v)[4], Real* to) {
   hn::StoreInterleaved4(v[0].lanes, v[1].lanes, v[2].lanes, v[3].lanes, typename Wide<Real>::Tag(), to);

@@ -20,6 +20,10 @@ namespace qtraj {
   SeriesFunction<double> sample_series;                                                      \
   SeriesFunction<float> sample_series;                                                       \
   size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count);              \
+  size_t dot(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count);                   \
+  size_t conjugate(const UnaryRows<4, 4>& rows, size_t first, size_t count);                 \
+  size_t inverse(const UnaryRows<4, 4>& rows, size_t first, size_t count);                   \
+  size_t norm(const UnaryRows<4, 1>& rows, size_t first, size_t count);                      \
   size_t log(const UnaryRows<4, 3>& rows, size_t first, size_t count);                       \
   size_t rotation_vectors(const UnaryRows<4, 3>& rows, size_t first, size_t count);          \
   size_t exp(const ExpRows& rows, size_t first, size_t count);                               \

@@ -6,10 +6,6 @@
 namespace qtraj {
 namespace QTRAJ_TARGET {
 
-size_t rotate(const RotateRows& rows, size_t first, size_t count) {
-  return run_rows<qtraj::rotate<Number>, QTRAJ_SCALAR::rotate>(rows, first, count);
-}
-
 size_t normalize(const NormalizeRows& rows, size_t first, size_t count) {
   return run_rows<qtraj::normalize<Number>, QTRAJ_SCALAR::normalize>(rows, first, count);
 }
