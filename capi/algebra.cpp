@@ -38,6 +38,15 @@ qtraj_status rotate_vectors(const Real* q_wb, size_t q_count, const Real* v_body
               bad_index, [&] { return rotate(rows, count); });
 }
 
+template <class Real>
+qtraj_status from_matrices(const Real* matrix, size_t count, double limit, Real* q_out, Real* distance_out,
+                           size_t* bad_index) {
+  const MatrixRows rows = {input<9>(matrix, count), limit == 0 ? kMatrixLimit : limit, output<4>(q_out, count),
+                           output<1>(distance_out, count)};
+  return call({rows.matrix, rows.q, optional(rows.distance)}, {true, is_matrix_limit(limit)}, bad_index,
+              [&] { return q_from_matrix(rows, count); });
+}
+
 // The second of two arrays that are NULL together is as optional as both are.
 Argument required_with(const void* other, const Argument& argument) { return other ? argument : optional(argument); }
 
@@ -138,11 +147,18 @@ qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matri
   return map<4, 9>(matrix_from_q, q_wb, count, matrix_out, bad_index);
 }
 
+qtraj_status qtraj_matrix_from_q_f32(const float* q_wb, size_t count, float* matrix_out, size_t* bad_index) {
+  return map<4, 9>(matrix_from_q, q_wb, count, matrix_out, bad_index);
+}
+
 qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double limit, double* q_out, double* distance_out,
                                  size_t* bad_index) {
-  const MatrixRows rows = {input<9>(matrix, count), limit, output<4>(q_out, count), output<1>(distance_out, count)};
-  return call({rows.matrix, rows.q, optional(rows.distance)}, {true, is_matrix_limit(limit)}, bad_index,
-              [&] { return q_from_matrix(rows, count); });
+  return from_matrices(matrix, count, limit, q_out, distance_out, bad_index);
+}
+
+qtraj_status qtraj_q_from_matrix_f32(const float* matrix, size_t count, double limit, float* q_out, float* distance_out,
+                                     size_t* bad_index) {
+  return from_matrices(matrix, count, limit, q_out, distance_out, bad_index);
 }
 
 qtraj_status qtraj_derivatives_from_rates(int32_t frame, const double* q_wb, const double* omega, const double* alpha,

@@ -2872,6 +2872,15 @@ QTRAJ_API qtraj_status qtraj_q_from_rotation_vector_f32(const float* r, size_t c
  *   - QTRAJ_E_NOT_FINITE, QTRAJ_E_ZERO_NORM: that row is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, double* matrix_out, size_t* bad_index);
 
+/** Rotation matrices of quaternions in float: twin of qtraj_matrix_from_q().
+ *
+ * @param q_wb        [count][4], w x y z, body to world, of any norm but 0
+ * @param count       number of quaternions; where it is 0 arrays may be NULL
+ * @param matrix_out  [count][9], row-major; may not overlap q_wb
+ * @param bad_index   receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_matrix_from_q() */
+QTRAJ_API qtraj_status qtraj_matrix_from_q_f32(const float* q_wb, size_t count, float* matrix_out, size_t* bad_index);
+
 /** Unit quaternions of the rotations nearest to matrices, and how far those are.
  *
  * The distance is the root of the sum of the squared differences of the nine elements. Elements of three decimals make
@@ -2890,6 +2899,19 @@ QTRAJ_API qtraj_status qtraj_matrix_from_q(const double* q_wb, size_t count, dou
  *     that row of q_out is NaN, all others are right */
 QTRAJ_API qtraj_status qtraj_q_from_matrix(const double* matrix, size_t count, double limit, double* q_out,
                                            double* distance_out, size_t* bad_index);
+
+/** Unit quaternions of the rotations nearest to matrices in float: twin of qtraj_q_from_matrix().
+ *
+ * @param matrix        [count][9], row-major, v_world = M v_body
+ * @param count         number of matrices; where it is 0 arrays may be NULL
+ * @param limit         largest distance from a rotation, 0 to 0.5; 0: 1e-3
+ * @param q_out         [count][4], w x y z, body to world, unit, w >= 0; may not overlap another array
+ * @param distance_out  [count], the distance, also of rows that the limit refuses; NaN where it exceeds 0.5 or the
+ *                      determinant is negative; may be NULL
+ * @param bad_index     receives the index of the first row at fault, SIZE_MAX where there is none; may be NULL
+ * @return as qtraj_q_from_matrix() */
+QTRAJ_API qtraj_status qtraj_q_from_matrix_f32(const float* matrix, size_t count, double limit, float* q_out,
+                                               float* distance_out, size_t* bad_index);
 
 /** Derivatives q', q'' of q / |q| from angular velocities and accelerations.
  *

@@ -1,6 +1,7 @@
 #include "functions/rotation_matrix.hpp"
 
 #include "math/matrix3.hpp"
+#include "targets/kernels.hpp"
 
 namespace qtraj {
 namespace {
@@ -86,10 +87,14 @@ Quaternion quaternion_of(const Matrix3& rotation) {
   return unit[0] < 0 ? Quaternion(-unit) : unit;
 }
 
+constexpr RowKernel<UnaryRows<4, 9>> kMatrixKernels[] = QTRAJ_OF_EACH_TARGET(matrix_from_q);
+constexpr RowKernel<MatrixRows> kFromMatrixKernels[] = QTRAJ_OF_EACH_TARGET(q_from_matrix);
+
 }  // namespace
 
 Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count) {
-  return for_each_row(count, rows.out, [&](size_t row, Elements& elements) {
+  const auto kernel = [&](size_t row) { return kMatrixKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.out, kernel, [&](size_t row, Elements& elements) {
     const Status status = check_key(rows.in, row);
     if (status == Status::ok) elements = matrix_of(normalize(row_of(rows.in, row)).unit.value);
     return status;
@@ -97,8 +102,8 @@ Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count) {
 }
 
 Outcome q_from_matrix(const MatrixRows& rows, size_t count) {
-  const double limit = rows.limit == 0 ? kMatrixLimit : rows.limit;
-  return for_each_row(count, rows.q, [&](size_t row, Quaternion& q) {
+  const auto kernel = [&](size_t row) { return kFromMatrixKernels[target()](rows, row, count); };
+  return for_each_row(count, rows.q, kernel, [&](size_t row, Quaternion& q) {
     if (rows.distance.data) write_nan(rows.distance, row);
     if (!is_finite(rows.matrix, row)) return Status::not_finite;
     const Matrix3 m = from_elements(row_of(rows.matrix, row));
@@ -107,7 +112,7 @@ Outcome q_from_matrix(const MatrixRows& rows, size_t count) {
     const double distance = std::sqrt(sum_of_squares(m - nearest));
     if (distance > kLargestMatrixLimit) return Status::not_rotation;
     if (rows.distance.data) write_row(rows.distance, row, Row<1>(distance));
-    if (distance > limit) return Status::not_rotation;
+    if (distance > rows.limit) return Status::not_rotation;
     q = quaternion_of(nearest);
     return Status::ok;
   });

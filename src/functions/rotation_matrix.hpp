@@ -5,6 +5,7 @@
 #pragma once
 
 #include "functions/for_each_row.hpp"
+#include "rows/arguments.hpp"
 
 namespace qtraj {
 
@@ -16,14 +17,6 @@ Outcome matrix_from_q(const UnaryRows<4, 9>& rows, size_t count);
 // that can be asked for. Up to 1/2 all singular values are 1/2 or more, R is unique and the iteration below finds it.
 constexpr double kMatrixLimit = 1e-3, kLargestMatrixLimit = 0.5;
 inline bool is_matrix_limit(double limit) { return limit >= 0 && limit <= kLargestMatrixLimit; }
-
-// Matrices, quaternions, and the distances |M - R| (data may be null), which are NaN above 1/2.
-struct MatrixRows {
-  Input<9> matrix;
-  double limit;  // is_matrix_limit
-  Output<4> q;
-  Output<1> distance;
-};
 
 // The unit quaternion, w >= 0, of R: within 1 eps up to a distance of 1e-3, 2 eps up to 1/2; the distance within 4 eps.
 // At w = 0, of the two the one whose largest vector component is positive. not_rotation where |M - R| exceeds the

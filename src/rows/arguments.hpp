@@ -89,6 +89,14 @@ struct MeanRateRows {
   Output<3> omega;
 };
 
+// Matrices, row-major, quaternions, and how far a matrix is from the nearest rotation (data may be null).
+struct MatrixRows {
+  Input<9> matrix;
+  double limit;  // how far it may be; not 0
+  Output<4> q;
+  Output<1> distance;
+};
+
 struct NormalizeRows {
   Input<4> q;
   Output<4> q_out;

@@ -24,6 +24,8 @@ namespace qtraj {
   size_t conjugate(const UnaryRows<4, 4>& rows, size_t first, size_t count);                 \
   size_t inverse(const UnaryRows<4, 4>& rows, size_t first, size_t count);                   \
   size_t norm(const UnaryRows<4, 1>& rows, size_t first, size_t count);                      \
+  size_t matrix_from_q(const UnaryRows<4, 9>& rows, size_t first, size_t count);             \
+  size_t q_from_matrix(const MatrixRows& rows, size_t first, size_t count);                  \
   size_t log(const UnaryRows<4, 3>& rows, size_t first, size_t count);                       \
   size_t rotation_vectors(const UnaryRows<4, 3>& rows, size_t first, size_t count);          \
   size_t exp(const ExpRows& rows, size_t first, size_t count);                               \

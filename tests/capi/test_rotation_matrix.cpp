@@ -66,6 +66,29 @@ TEST_CASE("C API: matrices of quaternions are within 3 eps, and quaternions of t
   CHECK(wrong_sign == 0);
 }
 
+TEST_CASE("C API: matrices of float and their quaternions are computed in double and rounded once", "[capi][matrix]") {
+  const std::vector<double> wide_q = HardRows(44, 30).quaternions();
+  const std::vector<float> q(wide_q.begin(), wide_q.end());
+  std::vector<float> matrix(9 * kHardRows), back(4 * kHardRows), distance(kHardRows);
+  REQUIRE(qtraj_matrix_from_q_f32(q.data(), kHardRows, matrix.data(), nullptr) == QTRAJ_OK);
+  REQUIRE(qtraj_q_from_matrix_f32(matrix.data(), kHardRows, 0, back.data(), distance.data(), nullptr) == QTRAJ_OK);
+  Worst worst, worst_back;
+  size_t wrong_distance = 0;
+  for (size_t row = 0; row < kHardRows; ++row) {
+    const Quaternion given = {q[4 * row], q[4 * row + 1], q[4 * row + 2], q[4 * row + 3]};
+    const Matrix reference = reference_matrix(wide::normalized(wide::quaternion(given.data())));
+    worst.add(row, wide::error(&matrix[9 * row], reference), 0.25 * FLT_EPSILON + 3 * kEps);
+    const std::vector<double> rounded(&matrix[9 * row], &matrix[9 * row] + 9);
+    const Quaternion returned = {back[4 * row], back[4 * row + 1], back[4 * row + 2], back[4 * row + 3]};
+    worst_back.add(row, error_up_to_sign(returned.data(), nearest_orientation(rounded.data())),
+                   0.25 * FLT_EPSILON + kEps);
+    wrong_distance += !(distance[row] >= 0 && distance[row] <= 3 * FLT_EPSILON);
+  }
+  CHECK(worst.ratio <= 1);
+  CHECK(worst_back.ratio <= 1);
+  CHECK(wrong_distance == 0);
+}
+
 TEST_CASE("C API: a matrix slightly off gives the nearest rotation, within 1 eps", "[capi][matrix]") {
   const HardRows hard(41, 0);
   Random random(42);

@@ -66,59 +66,72 @@ struct RowArrays {
 };
 
 inline std::vector<RowFunction<float>> row_functions(float) {
-  return {{"rotate_f32",
-           {{4, true}, {3}},
-           {3},
-           true,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_rotate_f32(in[0], count, in[1], count, count, out[0], bad);
-           }},
-          {"multiply_f32",
-           {{4}, {4}},
-           {4},
-           true,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_multiply_f32(in[0], count, in[1], count, count, out[0], bad);
-           }},
-          {"exp_f32",
-           {{{3}}},
-           {4},
-           false,
-           [](auto in, size_t count, auto out, size_t* bad) { return qtraj_exp_f32(in[0], count, out[0], bad); }},
-          {"q_from_rotation_vector_f32",
-           {{{3}}},
-           {4},
-           false,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_q_from_rotation_vector_f32(in[0], count, out[0], bad);
-           }},
-          {"log_f32",
-           {{{4, true}}},
-           {3},
-           false,
-           [](auto in, size_t count, auto out, size_t* bad) { return qtraj_log_f32(in[0], count, out[0], bad); }},
-          {"rotation_vector_from_q_f32",
-           {{{4, true}}},
-           {3},
-           false,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_rotation_vector_from_q_f32(in[0], count, out[0], bad);
-           }},
-          {"distance_f32",
-           {{4, true}, {4, true}},
-           {1},
-           false,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_distance_f32(in[0], count, in[1], count, count, out[0], bad);
-           }},
-          {"screw_pairs_f32",
-           {{4, true}, {3}, {4, true}, {3}, {1}},
-           {4, 3},
-           true,
-           [](auto in, size_t count, auto out, size_t* bad) {
-             return qtraj_screw_pairs_f32(in[0], in[1], count, in[2], in[3], count, in[4], count, count, out[0], out[1],
-                                          bad);
-           }}};
+  return {
+      {"rotate_f32",
+       {{4, true}, {3}},
+       {3},
+       true,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_rotate_f32(in[0], count, in[1], count, count, out[0], bad);
+       }},
+      {"multiply_f32",
+       {{4}, {4}},
+       {4},
+       true,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_multiply_f32(in[0], count, in[1], count, count, out[0], bad);
+       }},
+      {"matrix_from_q_f32",
+       {{{4, true}}},
+       {9},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) { return qtraj_matrix_from_q_f32(in[0], count, out[0], bad); }},
+      {"q_from_matrix_f32",
+       {{{9}}},
+       {4},
+       true,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_q_from_matrix_f32(in[0], count, 0, out[0], nullptr, bad);
+       }},
+      {"exp_f32",
+       {{{3}}},
+       {4},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) { return qtraj_exp_f32(in[0], count, out[0], bad); }},
+      {"q_from_rotation_vector_f32",
+       {{{3}}},
+       {4},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_q_from_rotation_vector_f32(in[0], count, out[0], bad);
+       }},
+      {"log_f32",
+       {{{4, true}}},
+       {3},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) { return qtraj_log_f32(in[0], count, out[0], bad); }},
+      {"rotation_vector_from_q_f32",
+       {{{4, true}}},
+       {3},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_rotation_vector_from_q_f32(in[0], count, out[0], bad);
+       }},
+      {"distance_f32",
+       {{4, true}, {4, true}},
+       {1},
+       false,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_distance_f32(in[0], count, in[1], count, count, out[0], bad);
+       }},
+      {"screw_pairs_f32",
+       {{4, true}, {3}, {4, true}, {3}, {1}},
+       {4, 3},
+       true,
+       [](auto in, size_t count, auto out, size_t* bad) {
+         return qtraj_screw_pairs_f32(in[0], in[1], count, in[2], in[3], count, in[4], count, count, out[0], out[1],
+                                      bad);
+       }}};
 }
 
 inline std::vector<RowFunction<double>> row_functions(double) {
