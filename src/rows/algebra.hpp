@@ -52,26 +52,6 @@ size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count) {
   return rows.out.is_float ? multiply_in(FloatNumber()) : multiply_in(Number());
 }
 
-// Within 4 units of rounding, 2 eps, of |a| |b|: sum |a_i b_i| is at most that.
-template <class Arithmetic, class Number>
-size_t dot(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  double* const out = static_cast<double*>(rows.out.data);
-  return do_rows<Number>(first, count, [&](size_t row) {
-    Number a[4], b[4];
-    prefetch_output<double, 1, kLanesOf<Number>>(out, row, count);
-    read_numbers<double>(rows.a, row, a);
-    read_numbers<double>(rows.b, row, b);
-    if (!are_moderate(a, b)) return false;
-    const Number product[] = {dot_product<Arithmetic>(a, b)};
-    // a small one may be of long quaternions at a right angle
-    if (!all(is_large(product)) && !(all(is_ordinary(a)) && all(is_ordinary(b)))) return false;
-    store_rows(product, out, row);
-    return true;
-  });
-}
-
-// ---- Of one quaternion ----
-
 // Numbers in their order in memory, as many vectors as a row has numbers: one row, or one per lane.
 template <class Number>
 QTRAJ_INLINE void load_in_place(const double* from, size_t row, Number (&to)[4]) {
@@ -81,6 +61,61 @@ template <class Number>
 QTRAJ_INLINE void store_in_place(const Number (&from)[4], double* to, size_t row) {
   for (size_t k = 0; k < 4; ++k) store_lanes(from[k], to + 4 * row + k * kLanesOf<Number>);
 }
+
+// Rows of a quaternion array where they lie, or as many copies of its only row as there are lanes.
+template <class Number>
+class RowsInPlace {
+ public:
+  explicit RowsInPlace(const Input<4>& array)
+      : rows_(static_cast<const double*>(array.data)), is_repeated_(is_repeated(array)) {
+    if (!is_repeated_) return;
+    for (size_t lane = 0; lane < kLanesOf<Number>; ++lane) std::memcpy(copies_[lane], rows_, sizeof copies_[lane]);
+    rows_ = copies_[0];
+  }
+  RowsInPlace(const RowsInPlace&) = delete;
+  RowsInPlace& operator=(const RowsInPlace&) = delete;
+
+  QTRAJ_INLINE void load(size_t row, Number (&to)[4]) const { load_in_place(rows_, is_repeated_ ? 0 : row, to); }
+  QTRAJ_INLINE bool are_ordinary(size_t row) const {
+    Number q[4];
+    convert_rows(rows_, is_repeated_ ? 0 : row, q);
+    return all(is_ordinary(q));
+  }
+
+ private:
+  const double* rows_;
+  bool is_repeated_;
+  double copies_[kLanesOf<Number>][4];
+};
+
+// The products are made where the numbers lie, and only they are brought into one vector per component. A product is
+// rounded three times on its way into the sum: within 1.5 eps of sum |a_i b_i|, which is at most |a| |b|. The same bits
+// in either arithmetic.
+template <class Number>
+size_t dot(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
+  double* const out = static_cast<double*>(rows.out.data);
+  const RowsInPlace<Number> a_rows(rows.a), b_rows(rows.b);
+  const auto are_ordinary = [&](size_t row) { return a_rows.are_ordinary(row) && b_rows.are_ordinary(row); };
+  return do_rows<Number>(first, count, [&](size_t row) {
+    Number a[4], b[4], products[4];
+    prefetch_output<double, 1, kLanesOf<Number>>(out, row, count);
+    a_rows.load(row, a);
+    b_rows.load(row, b);
+    const Number both[] = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+    if (any(reaches_two(both)) && !are_ordinary(row)) return false;
+    double in_place[kLanesOf<Number>][4];
+    for (size_t k = 0; k < 4; ++k) products[k] = a[k] * b[k];
+    store_in_place(products, in_place[0], 0);
+    convert_rows(in_place[0], 0, products);
+    const Number sum[] = {(products[0] + products[1]) + (products[2] + products[3])};
+    // a small one may be of long quaternions at a right angle
+    if (!all(is_large(sum)) && !are_ordinary(row)) return false;
+    store_rows(sum, out, row);
+    return true;
+  });
+}
+
+// ---- Of one quaternion ----
 
 template <class Number>
 size_t conjugate(const UnaryRows<4, 4>& rows, size_t first, size_t count) {

@@ -11,7 +11,7 @@ size_t multiply(const BinaryRows<4, 4, 4>& rows, size_t first, size_t count) {
 }
 
 size_t dot(const BinaryRows<4, 4, 1>& rows, size_t first, size_t count) {
-  return run_rows<qtraj::dot<Arithmetic, Number>, QTRAJ_SCALAR::dot>(rows, first, count);
+  return run_rows<qtraj::dot<Number>, QTRAJ_SCALAR::dot>(rows, first, count);
 }
 
 size_t conjugate(const UnaryRows<4, 4>& rows, size_t first, size_t count) {
