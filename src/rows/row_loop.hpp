@@ -116,12 +116,6 @@ QTRAJ_INLINE bool is_below(const float (&v)[Size], float power) {
   return largest_bits(v) < bits_of(power);
 }
 
-inline uint32_t bits_of(float value) {
-  uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
 // a, negated where the sign of `of` is set, also zeros and subnormal numbers that a processor is told to flush.
 QTRAJ_INLINE double flip_signs(double a, double of) {
   const uint64_t bits = bits_of(a) ^ (bits_of(of) & ~kMagnitudeBits);
