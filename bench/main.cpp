@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   bench::add_vectors();
   bench::add_batches();
   bench::add_few_keys();
+  bench::add_functions();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

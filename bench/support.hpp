@@ -224,5 +224,6 @@ void add_construction();
 void add_vectors();
 void add_batches();
 void add_few_keys();
+void add_functions();
 
 }  // namespace bench

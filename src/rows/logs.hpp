@@ -14,11 +14,17 @@ namespace {
 constexpr size_t kTileRows = 32;
 struct LogTile {
   // Of the first loop.
-  double vector[3][kTileRows], sine_squared[kTileRows], inverse[kTileRows];  // of RelativeOf
-  double versine[kTileRows], weight[kTileRows];
-  // Of the second loop.
-  double factor[kTileRows];     // times the vector it is the log
-  double curvature[kTileRows];  // (1 - d cot d) / sine_squared
+  double vector[3][kTileRows], sine_squared[kTileRows];  // of RelativeOf
+  double weight[kTileRows];
+  // Of the first loop, and in their places of the second.
+  union {
+    double inverse[kTileRows];  // of RelativeOf
+    double factor[kTileRows];   // times the vector it is the log
+  };
+  union {
+    double versine[kTileRows];
+    double curvature[kTileRows];  // (1 - d cot d) / sine_squared
+  };
 };
 
 // Prefetch alternates between two loops over a tile, each prefetching every other vector of rows: memory is then busy
