@@ -4,7 +4,10 @@
 
 #include <qtraj.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "support/random.hpp"
@@ -23,6 +26,25 @@ struct RowFunction {
   std::vector<size_t> outputs;  // widths
   bool can_overflow;
   std::function<qtraj_status(const Real* const* in, size_t count, Real* const* out, size_t* bad_index)> call;
+
+  // Whether every kernel gives the same bits, those of another kind too.
+  bool is_same_everywhere() const {
+    const char* const of_a_kind[] = {"multiply",
+                                     "inverse",
+                                     "norm",
+                                     "rotate",
+                                     "exp",
+                                     "q_from_rotation_vector",
+                                     "log",
+                                     "rotation_vector_from_q",
+                                     "pow",
+                                     "distance",
+                                     "rotation_angle",
+                                     "matrix_from_q",
+                                     "q_from_matrix"};
+    const std::string whole = name, root = whole.substr(0, whole.find("_f32"));
+    return std::find(std::begin(of_a_kind), std::end(of_a_kind), root) == std::end(of_a_kind);
+  }
 };
 
 // Rows without a fault: unit quaternions, vectors and numbers about 1, rotation matrices.
