@@ -62,6 +62,17 @@ AT_LEAST += [
     (Row("batch_ragged_rotation_spline_f64", "sorted", "warm", 12, 2 * 10**6), "loop", 1 / 1.1, 1 / 1.1),
     (Row("batch_slerp_f64", "sorted", "warm", 16, 2 * 10**6), "sampling", 1 / 1.2, 1 / 1.2),
 ]
+# Functions over rows, in the caches: at the speed of memory, or so many times as fast as a loop over the C library, and
+# past them so many times as fast as SciPy.
+AT_LEAST += [(Row(f"rows_{name}_f64", "sorted", "warm", 0, 1000), "bytes", 1 / 1.5, 1 / 1.5)
+             for name in ("multiply", "conjugate", "norm", "dot", "wxyz_from_xyzw", "xyzw_from_wxyz", "rotate")]
+AT_LEAST += [(Row(f"rows_{name}_f64", "sorted", "warm", 0, 1000), "loop", 6, 4)
+             for name in ("exp", "log", "pow", "q_from_rotation_vector", "rotation_vector_from_q", "distance")]
+AT_LEAST += [(Row(f"rows_{name}_f64", "sorted", "warm", 0, 1000), "loop", 3, 3)
+             for name in ("matrix_from_q", "q_from_matrix")]
+AT_LEAST += [(Row(f"rows_{name}_f64", "sorted", "warm", 0, 10**6), "scipy", 20, 20)
+             for name in ("multiply", "conjugate", "inverse", "rotate", "pow", "q_from_rotation_vector",
+                          "rotation_vector_from_q", "matrix_from_q", "q_from_matrix", "rotation_angle")]
 # At most so many ns.
 LATENCY = (Row("sample_at_f64", "sorted", "warm", 1000, 10**4), 25)
 # Time per unit of the first over that of the second, at most.
@@ -190,15 +201,15 @@ def main(out_path, *paths):
         out.write("Written by `bench/run.sh`. Ratio: time of the peer over ours, medians of interleaved repetitions on "
                   "one thread, in its CPU time, in one process on the same data; above 1 we are faster. Times are ns a "
                   "sample (`create_...`, `init_...`: a key). K knots, M samples; times sorted and output written to before, where "
-                  "nothing else is said; `fresh`: output on new pages. `bytes` reads the times and writes as much "
-                  "without computing anything. All peers are compiled with -O3 for the baseline of the architecture.\n\n")
+                  "nothing else is said; `fresh`: output on new pages. `bytes` reads and writes as much "
+                  "without computing anything. Peers are compiled with -O3 for the baseline of the architecture, the "
+                  "loops beside `rows_...` for the instruction set of our kernel.\n\n")
         out.write(f"- Machine: {cpu_model()}, {first.context['num_cpus']} CPUs, {caches}\n")
         out.write(f"- Library: qtraj {first.context['qtraj_version']}; this CPU runs: "
                   f"{', '.join(dict.fromkeys(p.target for p in processes))}\n")
         for process in processes:
-            for key in ("peers", "absent"):
-                if key in process.context:
-                    out.write(f"- {key.capitalize()} ({process.target}): {process.context[key]}\n")
+            if "peers" in process.context:
+                out.write(f"- Peers ({process.target}): {process.context['peers']}\n")
         out.write(f"- Date: {first.context['date']}\n\n")
         write_ratios(out, processes)
         write_times(out, processes)

@@ -13,11 +13,12 @@ case "${1-}" in
 esac
 
 need_packages cmake g++ ninja-build libeigen3-dev libhwy-dev libbenchmark-dev libglm-dev libboost-dev python3 \
-  python3-scipy
-python=/usr/bin/python3  # SciPy comes with the system's Python
-[ -x "$python" ] || python=python3
+  python3-venv
 
 build=build/benchmarks
+python=$build/python/bin/python
+[ -x "$python" ] || python3 -m venv $build/python
+"$python" -m pip install --quiet numpy scipy numpy-quaternion
 cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DQTRAJ_BUILD_TESTS=OFF -DQTRAJ_INSTALL=OFF \
   -DQTRAJ_BUILD_BENCH=ON
 cmake --build $build --target qtraj_bench_program
@@ -25,7 +26,7 @@ cmake --build $build --target qtraj_bench_program
 # The kernel of this CPU does everything; other fused ones the rows that have a target; plain ones the headline.
 headline='^(slerp|squad)_f../sorted/warm/K:1000/M:1000000/'
 aimed="$headline|^slerp_f64/(sorted/warm/K:1000/M:(100000|10000000)|random/warm/K:1000/M:1000000)/"
-aimed+='|^sample_at|^batch_|^vector_|^init_|^create_rotation_spline|^rig_|^rows_from_columns|^columns_from_rows|^(slerp_pairs|mean_eigen|karcher_step).*/M:1000000/'
+aimed+='|^rows_[a-z_]*_f../|^sample_at|^batch_|^vector_|^init_|^create_rotation_spline|^rig_|^columns_from_rows|^(slerp_pairs|mean_eigen|karcher_step).*/M:1000000/'
 mapfile -t targets < <("$build/bench/qtraj_bench" --list-targets)
 results=()
 for target in "${targets[@]}"; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scipy_peers.py libqtraj_bench.so target out.json: SciPy (and numpy-quaternion, where it is installed) against ours.
+"""scipy_peers.py libqtraj_bench.so target out.json: SciPy and numpy-quaternion against ours.
 
 Ours through ctypes, in the same process and on the same data; repetitions interleaved, CPU time of this thread. Writes
 what report.py reads.
@@ -14,14 +14,10 @@ for variable in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[variable] = "1"  # one thread, as ours; read when numpy is loaded
 
 import numpy as np  # noqa: E402
+import quaternion  # noqa: E402, numpy-quaternion
 import scipy  # noqa: E402
 from scipy.interpolate import CubicSpline  # noqa: E402
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp  # noqa: E402
-
-try:
-    import quaternion  # numpy-quaternion
-except ImportError:
-    quaternion = None
 
 SLERP, LOG_SPLINE, ROTATION_SPLINE, VECTOR_CUBIC = 1, 4, 5, 1003
 BODY, SHORTEST = 101, 601
@@ -81,6 +77,7 @@ def wxyz(rotations):
 class Benchmarks:
     def __init__(self):
         self.all = []  # name, samples, function
+        self.arrays = []  # whose addresses functions have
 
     def add(self, name, samples, ours, **peers):
         for who, function in {"ours": ours, **peers}.items():
@@ -170,6 +167,42 @@ def add_pairs(benchmarks, library, count):
                    numpy_quaternion=lambda: np.slerp_vectorized(peer_a, peer_b, fraction))
 
 
+def add_functions(benchmarks, library, count):
+    rotations, others = (Rotation.random(count, random_state=seed) for seed in (1, 2))
+    a, b, r, m = wxyz(rotations), wxyz(others), rotations.as_rotvec(), np.ascontiguousarray(rotations.as_matrix())
+    v, half, exponent, rows = np.random.default_rng(3).uniform(-2.0, 2.0, (count, 3)), 0.5 * r, np.array([0.3]), size(a)
+    q_out, v_out, m_out, x_out = (np.ones((count, width)) for width in (4, 3, 9, 1))
+    peer_a, peer_b = quaternion.as_quat_array(a), quaternion.as_quat_array(b)
+    peer_half = quaternion.from_vector_part(half)
+    benchmarks.arrays += [a, b, r, m, v, half, exponent, q_out, v_out, m_out, x_out]
+
+    def add(name, *arguments, **peers):
+        benchmarks.add(f"rows_{name}_f64/sorted/warm/K:0/M:{count}", count,
+                       lambda: library.call(f"qtraj_{name}", *arguments, None), **peers)
+
+    add("multiply", at(a), rows, at(b), rows, rows, at(q_out), scipy=lambda: rotations * others,
+        numpy_quaternion=lambda: peer_a * peer_b)
+    add("conjugate", at(a), rows, at(q_out), scipy=rotations.inv, numpy_quaternion=lambda: np.conjugate(peer_a))
+    add("inverse", at(a), rows, at(q_out), scipy=rotations.inv, numpy_quaternion=lambda: np.reciprocal(peer_a))
+    add("norm", at(a), rows, at(x_out), numpy_quaternion=lambda: np.abs(peer_a))
+    add("rotate", at(a), rows, at(v), rows, rows, at(v_out), scipy=lambda: rotations.apply(v))
+    add("exp", at(half), rows, at(q_out), numpy_quaternion=lambda: np.exp(peer_half))
+    add("log", at(a), rows, at(v_out), numpy_quaternion=lambda: np.log(peer_a))
+    add("pow", at(a), at(exponent), ctypes.c_size_t(1), rows, at(q_out), scipy=lambda: rotations**0.3,
+        numpy_quaternion=lambda: peer_a**0.3)
+    add("q_from_rotation_vector", at(r), rows, at(q_out), scipy=lambda: Rotation.from_rotvec(r),
+        numpy_quaternion=lambda: quaternion.from_rotation_vector(r))
+    add("rotation_vector_from_q", at(a), rows, at(v_out), scipy=rotations.as_rotvec,
+        numpy_quaternion=lambda: quaternion.as_rotation_vector(peer_a))
+    add("matrix_from_q", at(a), rows, at(m_out), scipy=rotations.as_matrix,
+        numpy_quaternion=lambda: quaternion.as_rotation_matrix(peer_a))
+    add("q_from_matrix", at(m), rows, ctypes.c_double(0.0), at(q_out), None, scipy=lambda: Rotation.from_matrix(m),
+        numpy_quaternion=lambda: quaternion.from_rotation_matrix(m, nonorthogonal=False))
+    add("rotation_angle", at(a), rows, at(b), rows, rows, at(x_out),
+        scipy=lambda: (rotations.inv() * others).magnitude(),
+        numpy_quaternion=lambda: quaternion.rotation_intrinsic_distance(peer_a, peer_b))
+
+
 def main(path, target, out_path):
     library, benchmarks = Library(path, target), Benchmarks()
     add_sampling(benchmarks, library, 1000, 10**6)
@@ -177,14 +210,11 @@ def main(path, target, out_path):
     for key_count in (100, 1000, 10000):
         add_construction(benchmarks, library, key_count)
     add_mean(benchmarks, library, 10**6)
+    add_pairs(benchmarks, library, 10**6)
+    add_functions(benchmarks, library, 10**6)
     context = {"qtraj_target": library.c.qtraj_target().decode(),
-               "peers": f"SciPy {scipy.__version__}, NumPy {np.__version__}"}
-    if quaternion is None:
-        context["absent"] = "numpy-quaternion is not installed (it is not in apt): its row of slerp_pairs is missing"
-        print(f"scipy_peers: {context['absent']}", file=sys.stderr)
-    else:
-        context["peers"] += f", numpy-quaternion {quaternion.__version__}"
-        add_pairs(benchmarks, library, 10**6)
+               "peers": f"SciPy {scipy.__version__}, NumPy {np.__version__}, "
+                        f"numpy-quaternion {quaternion.__version__}"}
     with open(out_path, "w", encoding="utf-8") as file:
         json.dump({"context": context, "benchmarks": benchmarks.run()}, file, indent=1)
 
