@@ -85,26 +85,44 @@ bool has_negative_dot(const Quaternion& a, const Quaternion& b) {
   return false;
 }
 
-// Rotates each row of four: its first `Moved` numbers go to the end. As whole numbers, because a signalling NaN may be
-// changed on its way through a floating-point register; one by one, because what is written to memory in one width and
-// read in another would have to wait.
-template <size_t Moved, class Bits>
-void rotate_rows(const void* from, size_t count, void* to) {
-  constexpr size_t kRow = 4 * sizeof(Bits);
-  const auto* source = static_cast<const unsigned char*>(from);
-  auto* target = static_cast<unsigned char*>(to);
-  const auto number = [&](size_t k) {
-    Bits bits;
-    std::memcpy(&bits, source + k % 4 * sizeof(Bits), sizeof(Bits));
-    return bits;
-  };
-  for (size_t row = 0; row < count; ++row, source += kRow, target += kRow) {
-    const Bits first = number(Moved), second = number(Moved + 1), third = number(Moved + 2), last = number(Moved + 3);
-    std::memcpy(target, &first, sizeof(Bits));
-    std::memcpy(target + sizeof(Bits), &second, sizeof(Bits));
-    std::memcpy(target + 2 * sizeof(Bits), &third, sizeof(Bits));
-    std::memcpy(target + 3 * sizeof(Bits), &last, sizeof(Bits));
+// Lanes of two vectors of whole numbers, those of the second numbered after the first's.
+template <int... Lanes, class Vector>
+Vector shuffled(Vector a, Vector b) {
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(a, b, Lanes...);
+#else
+  return __builtin_shuffle(a, b, Vector{Lanes...});
+#endif
+}
+
+// Rotates each row of four: its first `Moved` numbers go to the end. As vectors of whole numbers, 16 bytes each,
+// because a signalling NaN may be changed on its way through a floating-point register.
+template <int Moved>
+void rotate_rows_of_float(const unsigned char* from, size_t count, unsigned char* to) {
+  typedef uint32_t Row __attribute__((vector_size(16)));
+  for (size_t row = 0; row < count; ++row, from += sizeof(Row), to += sizeof(Row)) {
+    Row q;
+    std::memcpy(&q, from, sizeof q);
+    const Row rotated = shuffled<Moved, (Moved + 1) % 4, (Moved + 2) % 4, (Moved + 3) % 4>(q, q);
+    std::memcpy(to, &rotated, sizeof rotated);
   }
+}
+template <int Moved>
+void rotate_rows_of_double(const unsigned char* from, size_t count, unsigned char* to) {
+  typedef uint64_t Half __attribute__((vector_size(16)));
+  for (size_t row = 0; row < count; ++row, from += 2 * sizeof(Half), to += 2 * sizeof(Half)) {
+    Half first, last;
+    std::memcpy(&first, from, sizeof first);
+    std::memcpy(&last, from + sizeof first, sizeof last);
+    const Half inner = shuffled<1, 2>(first, last), outer = shuffled<1, 2>(last, first);
+    std::memcpy(to, Moved == 1 ? &inner : &outer, sizeof inner);
+    std::memcpy(to + sizeof inner, Moved == 1 ? &outer : &inner, sizeof inner);
+  }
+}
+template <int Moved>
+void rotate_rows(const void* from, size_t element_bytes, size_t count, void* to) {
+  const auto rotate = element_bytes == 4 ? rotate_rows_of_float<Moved> : rotate_rows_of_double<Moved>;
+  rotate(static_cast<const unsigned char*>(from), count, static_cast<unsigned char*>(to));
 }
 
 constexpr RowKernel<NormalizeRows> kNormalizeKernels[] = QTRAJ_OF_EACH_TARGET(normalize);
@@ -240,11 +258,11 @@ Outcome make_continuous(const ContinuousRows& rows, const SeriesLayout& layout) 
 }
 
 void wxyz_from_xyzw(const void* q_xyzw, size_t element_bytes, size_t count, void* q_out) {
-  element_bytes == 4 ? rotate_rows<3, uint32_t>(q_xyzw, count, q_out) : rotate_rows<3, uint64_t>(q_xyzw, count, q_out);
+  rotate_rows<3>(q_xyzw, element_bytes, count, q_out);
 }
 
 void xyzw_from_wxyz(const void* q, size_t element_bytes, size_t count, void* q_xyzw_out) {
-  element_bytes == 4 ? rotate_rows<1, uint32_t>(q, count, q_xyzw_out) : rotate_rows<1, uint64_t>(q, count, q_xyzw_out);
+  rotate_rows<1>(q, element_bytes, count, q_xyzw_out);
 }
 
 }  // namespace qtraj

@@ -26,7 +26,10 @@ QTRAJ_INLINE void store_nine(const Number (&m)[9], float* to) {
   constexpr size_t kLanes = kLanesOf<Number>;
   double rows[9 * kLanes];
   store_nine(m, rows);
-  for (size_t k = 0; k < 9 * kLanes; ++k) to[k] = static_cast<float>(rows[k]);
+  for (size_t k = 0; k < 9; ++k) {
+    const Number numbers[] = {load_lanes(rows + k * kLanes, Number())};
+    store_rows(numbers, to + k * kLanes, 0);
+  }
 }
 
 template <class Number>
