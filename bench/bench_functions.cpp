@@ -2,15 +2,10 @@
 // and the time that memory takes to move the same bytes.
 #include <cstdint>
 
-#include "eigen_rows.hpp"
-#include "loops.hpp"
-#include "support.hpp"
+#include "row_functions.hpp"
 
 namespace bench {
 namespace {
-
-// What a row of an input is.
-enum class Kind { orientation, neighbour, turn, vector, number, fraction, matrix, time, stamp };
 
 // Turns of up to half a turn; neighbours up to 0.2 rad apart.
 std::vector<double> rows_of(Kind kind, size_t count, uint64_t seed) {
@@ -45,147 +40,13 @@ std::vector<double> rows_of(Kind kind, size_t count, uint64_t seed) {
         rows.push_back(number);
         break;
       default:
-        rows.push_back(kind == Kind::time ? time : kind == Kind::number ? 2 * number - 1 : number);
+        if (kind == Kind::time) number = time;
+        if (kind == Kind::number) number = 2 * number - 1;
+        if (kind == Kind::late) number += static_cast<double>(count);
+        rows.push_back(number);
     }
   }
   return rows;
-}
-
-template <class Real>
-struct Function {
-  const char* name;
-  std::vector<Kind> in;
-  std::vector<size_t> out;  // widths
-  qtraj_status (*ours)(const Real* const* in, size_t count, Real* const* out);
-  RowLoop<Real> eigen;
-};
-
-// One row of inputs of a kind each and outputs of a width each; the function of the C API takes them as they are, or
-// with counts.
-#define QTRAJ_BENCH_ARRAYS(...) [](auto in, size_t n, auto out) -> qtraj_status { return __VA_ARGS__; }
-#define QTRAJ_BENCH_ONE(name) QTRAJ_BENCH_ARRAYS(name(in[0], n, out[0], nullptr))
-#define QTRAJ_BENCH_TWO(name) QTRAJ_BENCH_ARRAYS(name(in[0], n, in[1], n, n, out[0], nullptr))
-
-const Kind kQ = Kind::orientation, kNear = Kind::neighbour, kV = Kind::vector, kTurn = Kind::turn, kM = Kind::matrix,
-           kX = Kind::number, kU = Kind::fraction, kT = Kind::time;
-
-std::vector<Function<double>> functions(double) {
-  namespace eigen = peers::rows;
-  return {
-      {"multiply", {kQ, kQ}, {4}, QTRAJ_BENCH_TWO(qtraj_multiply), eigen::multiply<double>},
-      {"conjugate", {kQ}, {4}, QTRAJ_BENCH_ONE(qtraj_conjugate), eigen::conjugate<double>},
-      {"inverse", {kQ}, {4}, QTRAJ_BENCH_ONE(qtraj_inverse), eigen::inverse<double>},
-      {"norm", {kQ}, {1}, QTRAJ_BENCH_ONE(qtraj_norm), eigen::norm<double>},
-      {"dot", {kQ, kQ}, {1}, QTRAJ_BENCH_TWO(qtraj_dot), eigen::dot<double>},
-      {"normalize", {kQ}, {4}, QTRAJ_BENCH_ONE(qtraj_normalize), eigen::normalize<double>},
-      {"rotate", {kQ, kV}, {3}, QTRAJ_BENCH_TWO(qtraj_rotate), eigen::rotate<double>},
-      {"wxyz_from_xyzw", {kQ}, {4}, QTRAJ_BENCH_ARRAYS(qtraj_wxyz_from_xyzw(in[0], n, out[0])), nullptr},
-      {"xyzw_from_wxyz", {kQ}, {4}, QTRAJ_BENCH_ARRAYS(qtraj_xyzw_from_wxyz(in[0], n, out[0])), nullptr},
-      {"make_continuous",
-       {kNear},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_make_continuous(in[0], 1, n, out[0], nullptr, nullptr)),
-       nullptr},
-      {"exp", {kTurn}, {4}, QTRAJ_BENCH_ONE(qtraj_exp), nullptr},
-      {"log", {kQ}, {3}, QTRAJ_BENCH_ONE(qtraj_log), nullptr},
-      {"pow", {kQ, kX}, {4}, QTRAJ_BENCH_ARRAYS(qtraj_pow(in[0], in[1], n, n, out[0], nullptr)), nullptr},
-      {"q_from_rotation_vector",
-       {kTurn},
-       {4},
-       QTRAJ_BENCH_ONE(qtraj_q_from_rotation_vector),
-       eigen::q_from_rotation_vector<double>},
-      {"rotation_vector_from_q",
-       {kQ},
-       {3},
-       QTRAJ_BENCH_ONE(qtraj_rotation_vector_from_q),
-       eigen::rotation_vector_from_q<double>},
-      {"distance", {kQ, kQ}, {1}, QTRAJ_BENCH_TWO(qtraj_distance), nullptr},
-      {"rotation_angle", {kQ, kQ}, {1}, QTRAJ_BENCH_TWO(qtraj_rotation_angle), eigen::rotation_angle<double>},
-      {"matrix_from_q", {kQ}, {9}, QTRAJ_BENCH_ONE(qtraj_matrix_from_q), eigen::matrix_from_q<double>},
-      {"q_from_matrix",
-       {kM},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_q_from_matrix(in[0], n, 0, out[0], nullptr, nullptr)),
-       eigen::q_from_matrix<double>},
-      {"derivatives_from_rates",
-       {kQ, kV, kV},
-       {4, 4},
-       QTRAJ_BENCH_ARRAYS(
-           qtraj_derivatives_from_rates(QTRAJ_FRAME_BODY, in[0], in[1], in[2], n, out[0], out[1], nullptr)),
-       nullptr},
-      {"rates_from_derivatives",
-       {kQ, kNear, kQ},
-       {3, 3},
-       QTRAJ_BENCH_ARRAYS(
-           qtraj_rates_from_derivatives(QTRAJ_FRAME_BODY, in[0], in[1], in[2], n, out[0], out[1], nullptr)),
-       nullptr},
-      {"estimate_omega",
-       {kT, kNear},
-       {1, 3},
-       QTRAJ_BENCH_ARRAYS(qtraj_estimate_omega(QTRAJ_FRAME_BODY, in[0], in[1], n, out[0], out[1], nullptr)),
-       nullptr},
-      {"keyframe_errors",
-       {kT, kNear, kT, kQ},
-       {1},
-       QTRAJ_BENCH_ARRAYS(qtraj_keyframe_errors(in[0], in[1], n, in[2], in[3], n, out[0], nullptr, nullptr)),
-       nullptr},
-      {"slerp_between",
-       {kQ, kQ, kU},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_slerp_between(in[0], 0, in[1], static_cast<double>(n), in[2], n, QTRAJ_PATH_SHORTEST,
-                                              out[0], nullptr)),
-       nullptr},
-      {"slerp_pairs",
-       {kQ, kQ, kU},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_slerp_pairs(in[0], n, in[1], n, in[2], n, n, QTRAJ_PATH_SHORTEST, out[0], nullptr)),
-       nullptr},
-      {"squad_segment",
-       {kNear, kU},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_squad_segment(in[0], in[0] + 12, in[0] + 4, in[0] + 8, in[1], n, out[0], nullptr)),
-       nullptr},
-      {"even_times", {}, {1}, QTRAJ_BENCH_ARRAYS(((void)in, qtraj_even_times(0, 10, n, out[0]))), nullptr},
-      {"seconds_from_ns",
-       {Kind::stamp},
-       {1},
-       QTRAJ_BENCH_ARRAYS(qtraj_seconds_from_ns(reinterpret_cast<const int64_t*>(in[0]), n, 0, out[0])),
-       nullptr},
-  };
-}
-
-std::vector<Function<float>> functions(float) {
-  return {
-      {"multiply", {kQ, kQ}, {4}, QTRAJ_BENCH_TWO(qtraj_multiply_f32), peers::rows::multiply<float>},
-      {"normalize", {kQ}, {4}, QTRAJ_BENCH_ONE(qtraj_normalize_f32), peers::rows::normalize<float>},
-      {"rotate", {kQ, kV}, {3}, QTRAJ_BENCH_TWO(qtraj_rotate_f32), peers::rows::rotate<float>},
-      {"wxyz_from_xyzw", {kQ}, {4}, QTRAJ_BENCH_ARRAYS(qtraj_wxyz_from_xyzw_f32(in[0], n, out[0])), nullptr},
-      {"xyzw_from_wxyz", {kQ}, {4}, QTRAJ_BENCH_ARRAYS(qtraj_xyzw_from_wxyz_f32(in[0], n, out[0])), nullptr},
-      {"make_continuous",
-       {kNear},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_make_continuous_f32(in[0], 1, n, out[0], nullptr, nullptr)),
-       nullptr},
-      {"exp", {kTurn}, {4}, QTRAJ_BENCH_ONE(qtraj_exp_f32), nullptr},
-      {"log", {kQ}, {3}, QTRAJ_BENCH_ONE(qtraj_log_f32), nullptr},
-      {"q_from_rotation_vector",
-       {kTurn},
-       {4},
-       QTRAJ_BENCH_ONE(qtraj_q_from_rotation_vector_f32),
-       peers::rows::q_from_rotation_vector<float>},
-      {"rotation_vector_from_q",
-       {kQ},
-       {3},
-       QTRAJ_BENCH_ONE(qtraj_rotation_vector_from_q_f32),
-       peers::rows::rotation_vector_from_q<float>},
-      {"distance", {kQ, kQ}, {1}, QTRAJ_BENCH_TWO(qtraj_distance_f32), nullptr},
-      {"matrix_from_q", {kQ}, {9}, QTRAJ_BENCH_ONE(qtraj_matrix_from_q_f32), peers::rows::matrix_from_q<float>},
-      {"q_from_matrix",
-       {kM},
-       {4},
-       QTRAJ_BENCH_ARRAYS(qtraj_q_from_matrix_f32(in[0], n, 0, out[0], nullptr, nullptr)),
-       peers::rows::q_from_matrix<float>},
-  };
 }
 
 // ---- Loops for the target in use ----
@@ -281,8 +142,8 @@ void add_function(const Function<Real>& function, size_t count) {
 
 void add_functions() {
   for (const size_t count : {1000, 1000000}) {
-    for (const Function<double>& function : functions(0.0)) add_function(function, count);
-    for (const Function<float>& function : functions(0.0f)) add_function(function, count);
+    for (const Function<double>& function : row_functions(0.0)) add_function(function, count);
+    for (const Function<float>& function : row_functions(0.0f)) add_function(function, count);
   }
 }
 

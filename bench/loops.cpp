@@ -252,9 +252,9 @@ void keyframe_errors(const double* const* in, size_t count, double* const* out) 
 
 // ---- Pairs ----
 
-// From the first a to the first b, at times from 0 to `count`.
+// From the first a to the first b, at times from 0 to 1.
 void slerp_between(const double* const* in, size_t count, double* const* out) {
-  for (size_t i = 0; i < count; ++i) slerp_one(in[0], in[1], in[2][i] / static_cast<double>(count), out[0] + 4 * i);
+  for (size_t i = 0; i < count; ++i) slerp_one(in[0], in[1], (in[2][i] - 0.0) / (1.0 - 0.0), out[0] + 4 * i);
 }
 void slerp_pairs(const double* const* in, size_t count, double* const* out) {
   for (size_t i = 0; i < count; ++i) slerp_one(in[0] + 4 * i, in[1] + 4 * i, in[2][i], out[0] + 4 * i);
