@@ -9,13 +9,21 @@
 namespace qtraj {
 namespace {
 
+// A row and its unit quaternion; false where one is not ordinary. (Not inlined: all that is done with rates shares one
+// copy.)
+template <class Number>
+QTRAJ_NOINLINE bool load_unit(const Input<4>& rows, size_t row, Number (&q)[4], UnitOf<Number>& unit) {
+  if (!load_own_rows<double>(rows, row, q)) return false;
+  unit = unit_of(q);
+  return true;
+}
+
 // A rate in the body frame is multiplied by q_wb from the left, one in the world frame from the right.
 template <class Number>
 QTRAJ_INLINE void multiply_in(Frame frame, const Number (&q_wb)[4], const Number (&rate)[4], Number (&product)[4]) {
-  if (frame == Frame::body)
-    hamilton_product<Plain>(q_wb, rate, product);
-  else
-    hamilton_product<Plain>(rate, q_wb, product);
+  const bool is_body = frame == Frame::body;
+  const Number(&left)[4] = is_body ? q_wb : rate, (&right)[4] = is_body ? rate : q_wb;
+  hamilton_product<Plain>(left, right, product);
 }
 
 template <class Number>
@@ -23,9 +31,9 @@ QTRAJ_INLINE bool derivative_rows(const RatesToDerivatives& rows, size_t row) {
   const bool has_alpha = rows.alpha.data != nullptr;
   const Number quarter(-0.25), half(0.5);
   Number q[4], omega[3], alpha[3], derivative[4];
-  if (!load_own_rows<double>(rows.q_wb, row, q) || !load_bounded_rows<double>(rows.omega, row, omega)) return false;
+  UnitOf<Number> unit;
+  if (!load_unit(rows.q_wb, row, q, unit) || !load_bounded_rows<double>(rows.omega, row, omega)) return false;
   if (has_alpha && !load_bounded_rows<double>(rows.alpha, row, alpha)) return false;
-  const UnitOf<Number> unit = unit_of(q);
 
   const Number once[4] = {Number(0.0), half * omega[0], half * omega[1], half * omega[2]};
   multiply_in(rows.frame, unit.value, once, derivative);
@@ -48,9 +56,9 @@ QTRAJ_INLINE bool rate_rows(const DerivativesToRates& rows, size_t row) {
   const bool has_ddq = rows.ddq.data != nullptr;
   const Number two(2.0);
   Number q[4], dq[4], ddq[4], p[4], second[4], rate[3];
-  if (!load_own_rows<double>(rows.q_wb, row, q) || !load_bounded_rows<double>(rows.dq, row, dq)) return false;
+  UnitOf<Number> unit;
+  if (!load_unit(rows.q_wb, row, q, unit) || !load_bounded_rows<double>(rows.dq, row, dq)) return false;
   if (has_ddq && !load_bounded_rows<double>(rows.ddq, row, ddq)) return false;
-  const UnitOf<Number> unit = unit_of(q);
   const Number norm = unit.length.value + unit.length.error;
   const Number back[4] = {unit.value[0], -unit.value[1], -unit.value[2], -unit.value[3]};
   multiply_in(rows.frame, back, dq, p);

@@ -21,8 +21,9 @@ namespace {
 //
 // Of the point (w, sine). To 0.3 u: a relative error d of the sine enters as d (1 - sin(2 angle)/(2 angle)),
 // and here d is of second order.
+// (Not inlined: logarithms, rotation vectors and powers share one copy.)
 template <class Arithmetic, class Number>
-QTRAJ_INLINE DoubleDoubleOf<Number> angle_over_sine(const DoubleDoubleOf<Number>& square, Number w) {
+QTRAJ_NOINLINE DoubleDoubleOf<Number> angle_over_sine(const DoubleDoubleOf<Number>& square, Number w) {
   const RootOf<Number> sine =
       root_of<Arithmetic>(DoubleDoubleOf<Number>{maximum(square.value, Number(kLeastSineSquare)), square.error});
   const Number inverse = Number(1.0) / sine.value, sine_error = relative_error_of(sine, inverse);

@@ -4,6 +4,7 @@
 
 #include "math/relative_rotation.hpp"
 #include "rows/clean_keys.hpp"
+#include "rows/derivatives.hpp"
 
 namespace qtraj {
 namespace {
@@ -11,10 +12,9 @@ namespace {
 // The unit quaternion of each row, of the inverse rotation for rates in the world frame; false where one is not
 // ordinary.
 template <class Number>
-QTRAJ_INLINE bool load_unit(const MeanRateRows& rows, size_t row, UnitOf<Number>& unit) {
+QTRAJ_INLINE bool load_turn(const MeanRateRows& rows, size_t row, UnitOf<Number>& unit) {
   Number q[4];
-  if (!load_own_rows<double>(rows.q_wb, row, q) || has_tiny(q)) return false;
-  unit = unit_of(q);
+  if (!load_unit(rows.q_wb, row, q, unit) || has_tiny(q)) return false;
   if (rows.frame == Frame::body) return true;
   for (size_t k = 1; k < 4; ++k) unit.value[k] = -unit.value[k], unit.error[k] = -unit.error[k];
   return true;
@@ -37,24 +37,24 @@ QTRAJ_INLINE bool take_nearer(const UnitOf<Number>& a, UnitOf<Number>& b) {
 template <class Number>
 QTRAJ_INLINE bool mean_rate_rows(const MeanRateRows& rows, size_t row) {
   const Number half(0.5), two(2.0);
-  Number from[1], to[1];
-  read_numbers<double>(rows.times, row, from);
-  read_numbers<double>(rows.times, row + 1, to);
-  if (!all(is_bounded(from)) || !all(is_bounded(to))) return false;
-  const Number step[] = {to[0] - from[0]};
+  Number time[1], next_time[1];
+  read_numbers<double>(rows.times, row, time);
+  read_numbers<double>(rows.times, row + 1, next_time);
+  if (!all(is_bounded(time)) || !all(is_bounded(next_time))) return false;
+  const Number step[] = {next_time[0] - time[0]};
   if (!all(is_ordinary(step)) || !all(Number(0.0) < step[0])) return false;
 
   UnitOf<Number> a, b;
-  if (!load_unit(rows, row, a) || !load_unit(rows, row + 1, b) || !take_nearer(a, b)) return false;
+  if (!load_turn(rows, row, a) || !load_turn(rows, row + 1, b) || !take_nearer(a, b)) return false;
   // b a* is a* b with the conjugates of b and a in the places of a and b
-  const RelativeRotationOf<Number> rotation = rows.frame == Frame::body
-                                                  ? relative_rotation_of(a.value, a.error, b.value, b.error)
-                                                  : relative_rotation_of(b.value, b.error, a.value, a.error);
+  const bool is_body = rows.frame == Frame::body;
+  const UnitOf<Number>&from = is_body ? a : b, &to = is_body ? b : a;
+  const RelativeRotationOf<Number> rotation = relative_rotation_of(from.value, from.error, to.value, to.error);
   Number rate[3];
   half_angle_vector(rotation, square_root(dot_product<Plain>(rotation.sin_part, rotation.sin_part)), rate);
   for (Number& component : rate) component = two * component / step[0];
   store_rows(rate, static_cast<double*>(rows.omega.data), row);
-  if (rows.t_mid.data) store_lanes(half * from[0] + half * to[0], static_cast<double*>(rows.t_mid.data) + row);
+  if (rows.t_mid.data) store_lanes(half * time[0] + half * next_time[0], static_cast<double*>(rows.t_mid.data) + row);
   return true;
 }
 
