@@ -31,7 +31,7 @@ Outcome rotate(const RotateRows& rows, size_t count);
 // Angle, rad, in [0, pi], between a and b in R^4, norms of any size but 0: 2 atan2(|a - b|, |a + b|) of the unit
 // quaternions (W. Kahan, "How Futile are Mindless Assessments of Roundoff in Floating-Point Computation?" (2006), 12),
 // which loses no digits anywhere, and is 0 for a = b and pi for a = -b. To 0.75 eps relative: half a ulp, and what
-// inputs that are not unit add to tiny angles, 1e-30.
+// rounding of the sums adds to tiny angles, 4e-30 rad.
 Outcome distance(const BinaryRows<4, 4, 1>& rows, size_t count);
 
 // Angle, rad, in [0, pi], of the rotation that takes a to b: twice the distance from a to the nearer of b and -b. The
