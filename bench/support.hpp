@@ -151,6 +151,7 @@ class FreshMemory {
 inline void* warm_memory(size_t bytes) {
   static std::unique_ptr<FreshMemory> memory;
   static size_t size = 0;
+  bytes = std::max(bytes, size_t{1});
   if (bytes > size) {
     memory.reset();
     memory = std::make_unique<FreshMemory>(bytes);

@@ -31,7 +31,7 @@ template <class Arithmetic, class Number>
 QTRAJ_INLINE CosSinc<Number> cos_sinc_near(const DoubleDoubleOf<Number>& y) {
   using Real = Element<Number>;
   const Number square = maximum(y.value, Number(kLeastAngleSquare<Real>));
-  const Number c = evaluate_precisely<Arithmetic, CosHalf>(square), k = evaluate<Arithmetic, SincHalf>(square);
+  const Number c = evaluate<Arithmetic, CosHalf>(square), k = evaluate<Arithmetic, SincHalf>(square);
   return {Arithmetic::multiply_add(Number(Real(-0.5)) * k, y.error, c), k};
 }
 
