@@ -87,6 +87,32 @@ TEST_CASE("C API: seconds at the limits of int64_t and at those of whole doubles
   CHECK(seconds(1700000000123456789, 0) == 1700000000.123456789);
 }
 
+TEST_CASE("C API: seconds of a stamp are the same alone and among others, past whole doubles too",
+          "[capi][nanoseconds]") {
+  const int64_t origins[] = {0, 1, -(int64_t{1} << 62) - 1, INT64_MIN, INT64_MAX};
+  std::vector<int64_t> stamps;
+  for (int64_t k = 0; k < 200; ++k) {
+    const int64_t past = (int64_t{1} << 53) + 2 * k + 1, near = 1000000007 * k;
+    for (const int64_t stamp : {past, -past, 512 * past + k, near, INT64_MAX - k, INT64_MIN + k})
+      stamps.push_back(stamp);
+  }
+  // stretches of one size, which vectors see alone, after the mixture of all
+  const std::vector<int64_t> mixed = stamps;
+  for (size_t kind = 0; kind < 6; ++kind)
+    for (size_t k = kind; k < mixed.size(); k += 6) stamps.push_back(mixed[k]);
+  for (const int64_t origin : origins) {
+    std::vector<double> seconds(stamps.size());
+    REQUIRE(qtraj_seconds_from_ns(stamps.data(), stamps.size(), origin, seconds.data()) == QTRAJ_OK);
+    size_t wrong = 0;
+    for (size_t k = 0; k < stamps.size(); ++k) {
+      double alone = 0;
+      qtraj_seconds_from_ns(&stamps[k], 1, origin, &alone);
+      wrong += alone != seconds[k];
+    }
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("C API: arguments of seconds_from_ns that are wrong write nothing", "[capi][nanoseconds][errors]") {
   int64_t ns[4] = {1, 2, 3, 4};
   double out[4] = {7, 7, 7, 7};
