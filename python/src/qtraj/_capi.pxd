@@ -4,6 +4,7 @@ from libc.stdint cimport int32_t, int64_t, uint64_t
 cdef extern from "qtraj.h" nogil:
     enum:
         QTRAJ_OK
+        QTRAJ_E_COUNT
         QTRAJ_E_TIME_RANGE
         QTRAJ_E_AMBIGUOUS
         QTRAJ_E_NO_CONVERGENCE

@@ -401,7 +401,7 @@ def q_from_matrix(matrix: Any, limit: Any = 1e-3, *, return_distance: bool = Fal
     matrix : array_like, shape (..., 3, 3)
         v_world = matrix @ v_body.
     limit : float
-        A matrix farther than this from every rotation is NaN: 2e-3 suits elements of three decimals.
+        A matrix farther than this, at most 0.5, from every rotation is NaN: 2e-3 suits elements of three decimals.
     return_distance : bool
         Also return how far each matrix is from its rotation.
 
@@ -411,8 +411,8 @@ def q_from_matrix(matrix: Any, limit: Any = 1e-3, *, return_distance: bool = Fal
     >>> qtraj.q_from_matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).round(3)
     array([0.707, 0.   , 0.   , 0.707])
     """
-    if not np.all(np.asarray(limit) >= 0):
-        raise ValueError(f"limit={limit!r}: a number of 0 or more")
+    if not np.all((np.asarray(limit) > 0) & (np.asarray(limit) <= 0.5)):
+        raise ValueError(f"limit={limit!r}: a number above 0, at most 0.5")
     q, away = call(_ufuncs.q_from_matrix, matrices("matrix", matrix), scalars("limit", limit))
     return (q, away) if return_distance else q
 

@@ -78,8 +78,8 @@ def batch_sample(Settings settings not None, int frame, key_offsets, times, q, o
 
 
 cdef int judge_series(int status, size_t bad) except -1:
-    """Series at fault have a status each and rows of NaN: an ambiguous one, too."""
-    if status == QTRAJ_E_AMBIGUOUS:
+    """A series at fault has rows of NaN, also where its fault would refuse a call of its own, such as too few keys."""
+    if status != QTRAJ_E_COUNT and bad != SIZE_MAX:
         return invalid()
     return judge(status, bad, "batch", "series")
 
@@ -170,5 +170,8 @@ def batch_mean_eigen(offsets, q, weights=None):
             code = qtraj_batch_mean_eigen_f32(count, rows, <float*>x, <float*>w, <float*>out, NULL, NULL, &bad)
         else:
             code = qtraj_batch_mean_eigen(count, rows, <double*>x, <double*>w, <double*>out, NULL, NULL, &bad)
-    judge(code, bad, "batch_mean_eigen", "group")
+    if code == QTRAJ_E_AMBIGUOUS:
+        judge(code, bad, "batch_mean_eigen", "group")
+    else:
+        judge_series(code, bad)
     return mean

@@ -40,7 +40,8 @@ cdef object frozen_setting(object value):
         return float(value)
     if hasattr(value, "as_quat"):
         value = _arrays.quaternions("reference", value)
-    return frozen(_arrays.reals("setting", value))
+    array = np.asarray(value)
+    return frozen(array if array.dtype.kind in "iu" else _arrays.reals("setting", value))
 
 
 cdef bint result_is_single(object dtype, object keys) except -1:
@@ -62,11 +63,17 @@ cdef dict kept_settings(bint single, object keys, object extrapolate, dict argum
     return settings
 
 
+cdef str told_setting(object value):
+    """A setting as it is passed, arrays by their shape."""
+    if isinstance(value, np.ndarray):
+        return f"array{value.shape}"
+    if isinstance(value, tuple):
+        return f"({', '.join([told_setting(part) for part in value])})"
+    return repr(value)
+
+
 cdef str told(dict settings):
-    """Settings as they are passed, arrays by their shape."""
-    return "".join(
-        f", {name}=" + (f"array{value.shape}" if isinstance(value, np.ndarray) else repr(value))
-        for name, value in settings.items())
+    return "".join([f", {name}={told_setting(value)}" for name, value in settings.items()])
 
 
 cdef int check_range(cnp.ndarray t, double start, double end, bint before, bint after) except -1:
