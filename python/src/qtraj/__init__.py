@@ -4,15 +4,16 @@ Quaternions are rows ``w x y z``, Hamilton's, from body to world: ``q`` turns ve
 ``q`` and ``-q`` are one orientation. Radians and seconds.
 
 >>> import qtraj
->>> curve = qtraj.Trajectory([0, 1, 3], [[1, 0, 0, 0], [1, 0, 0, 1], [1, 1, 0, 1]])
->>> curve(0.5).round(3)
-array([0.976, 0.004, 0.026, 0.218])
+>>> curve = qtraj.Trajectory([0, 1, 3], [[1, 0, 0, 0], [0.6, 0, 0, 0.8], [0, 0.6, 0, 0.8]])
+>>> curve(1.0)
+array([0.6, 0. , 0. , 0.8])
 >>> curve([0, 1], 1, frame="body").shape
 (2, 3)
 """
 
 from __future__ import annotations
 
+from ._batch import sample_batch
 from ._core import (
     Poses,
     Trajectory,
@@ -69,6 +70,8 @@ from ._functions import (
     wxyz_from_xyzw,
     xyzw_from_wxyz,
 )
+
+from ._tables import resample
 
 __version__ = library_version()
 

@@ -196,10 +196,11 @@ def squad_segment(q0: Any, q1: Any, a: Any, b: Any, fraction: Any, *, out: Any =
     Examples
     --------
     >>> import qtraj
-    >>> q = [[1, 0, 0, 0], [1, 0, 0, 1], [0, 0, 0, 1]]
+    >>> q = [[1, 0, 0, 0], [0.6, 0, 0, 0.8], [0, 0, 0, 1]]
     >>> controls = qtraj.squad_controls([0, 1, 2], q)
-    >>> qtraj.squad_segment(q[0], q[1], controls.a[0], controls.b[1], 0.5).round(3)
-    array([0.981, 0.   , 0.   , 0.195])
+    >>> qtraj.squad_segment(q[0], q[1], controls.a[0], controls.b[1], [0, 1]).round(3)
+    array([[1. , 0. , 0. , 0. ],
+           [0.6, 0. , 0. , 0.8]])
     """
     ends = (quaternions(name, q) for name, q in (("q0", q0), ("q1", q1), ("a", a), ("b", b)))
     return call(_ufuncs.squad_segment, *ends, scalars("fraction", fraction), out=out)

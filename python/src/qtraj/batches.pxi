@@ -12,6 +12,14 @@ cdef cnp.ndarray offsets_of(str name, object offsets, object rows):
     return np.require(array, np.int64, "CA")
 
 
+cdef object flat_times(object times):
+    """Times of the keys of all series, (n,)."""
+    times = _arrays.reals("times", times, np.float64)
+    if times.ndim != 1:
+        raise TypeError(f"times has the shape {times.shape}, not (n,)")
+    return times
+
+
 cdef cnp.ndarray steps_of(object step, size_t series):
     """Steps, s: one for all series or one for each."""
     steps = np.atleast_1d(_arrays.reals("step", step, np.float64))
@@ -21,13 +29,13 @@ cdef cnp.ndarray steps_of(object step, size_t series):
 
 
 def batch_sample(Settings settings not None, int frame, key_offsets, times, q, omega, alpha, sample_offsets, at, rates):
-    """Curves of all series, sampled: arrays q, omega, alpha (None without rates) and status, one for each series."""
+    """Curves of all series, sampled: arrays q, omega, alpha (None without rates) and status, one for each series.
+
+    times and q are contiguous, (n,) and (n, 4): sample_batch() has seen to that.
+    """
     cdef bint single = q.dtype == np.float32
     real = q.dtype.type
     n = len(q)
-    times = _arrays.reals("times", times, np.float64)
-    if times.shape != (n,):
-        raise TypeError(f"times has the shape {times.shape}, q {q.shape}: one time for each key")
     omega = None if omega is None else _arrays.rows("omega", omega, 3, real, (n,))
     alpha = None if alpha is None else _arrays.rows("alpha", alpha, 3, real, (n,))
     cdef cnp.ndarray keys = offsets_of("offsets", key_offsets, n)
@@ -37,8 +45,6 @@ def batch_sample(Settings settings not None, int frame, key_offsets, times, q, o
     cdef cnp.ndarray samples = offsets_of("sample offsets", sample_offsets, None if at is None else len(at))
     if samples.size != keys.size:
         raise TypeError(f"{keys.size - 1} series of keys, {samples.size - 1} series of samples")
-    if settings.raises_before or settings.raises_after:
-        settings.raises_before = settings.raises_after = False
     cdef size_t count = keys.size - 1, bad = SIZE_MAX
     # rows outside all series belong to nobody, and are NaN
     m = int(samples[-1])
@@ -100,9 +106,7 @@ def batch_settings(method, frame, ends, tangents, reference, turns, extrapolate,
 
 def batch_steps(key_offsets, times, step):
     """Offsets and times of samples at a fixed step from the first key of each series to its last."""
-    times = _arrays.reals("times", times, np.float64)
-    if times.ndim != 1:
-        raise TypeError(f"times has the shape {times.shape}, not (n,)")
+    times = flat_times(times)
     cdef cnp.ndarray keys = offsets_of("offsets", key_offsets, len(times))
     cdef size_t count = keys.size - 1, bad = SIZE_MAX
     cdef cnp.ndarray steps = steps_of(step, count)
@@ -175,3 +179,26 @@ def batch_mean_eigen(offsets, q, weights=None):
     else:
         judge_series(code, bad)
     return mean
+
+
+def batch_even_times(key_offsets, times, size_t count, double period):
+    """Offsets and times of so many samples of each series, evenly from its first key to its last, closing ones too."""
+    times = flat_times(times)
+    cdef cnp.ndarray keys = offsets_of("offsets", key_offsets, len(times))
+    if np.any(np.diff(keys) < 0) or keys[0] < 0:
+        raise ValueError("offsets decrease, or begin below 0")
+    cdef size_t series = keys.size - 1, i
+    offsets = np.arange(series + 1, dtype=np.int64) * count
+    at = np.empty(int(offsets[-1]))
+    cdef const int64_t* rows = <const int64_t*>data(keys)
+    cdef const double* t = <const double*>data(times)
+    cdef double* out = <double*>data(at)
+    cdef double first, last
+    cdef int status
+    with nogil:
+        for i in range(series):
+            first = t[rows[i]] if rows[i] < rows[i + 1] else NAN
+            last = first + period if period > 0 else t[rows[i + 1] - 1] if rows[i] < rows[i + 1] else NAN
+            # NaN where a series is at fault: sampling tells its status
+            status = qtraj_even_times(first, last, count, out + i * count)
+    return offsets, at

@@ -129,6 +129,12 @@ def estimate_omega(times, q, *, frame):
     -------
     EstimatedRates
         A named tuple of times (n - 1,), the middles of the intervals, s, and omega (n - 1, 3), rad/s.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.estimate_omega([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], frame="body").omega.round(4)
+    array([[0.    , 0.    , 0.9273]])
     """
     times, q = series_of(times, q)
     cdef size_t bad = SIZE_MAX, count = len(q)
@@ -139,7 +145,15 @@ def estimate_omega(times, q, *, frame):
 
 
 def estimate_energy(times, q, *, frame):
-    """Sum that approximates the integral of |alpha|^2 of samples, rad^2/s^3; three or more."""
+    """Sum that approximates the integral of |alpha|^2 of samples, rad^2/s^3; three or more.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> q = qtraj.q_from_rotation_vector([[0, 0, 0], [0, 0, 1], [0, 0, 3]])
+    >>> round(qtraj.estimate_energy([0, 1, 2], q, frame="body"), 6)
+    1.0
+    """
     times, q = series_of(times, q)
     cdef size_t bad = SIZE_MAX
     cdef double energy = 0
@@ -149,7 +163,15 @@ def estimate_energy(times, q, *, frame):
 
 
 def estimate_jumps(times, q, knots, *, frame):
-    """By how much the estimated rate of samples jumps at each knot: (knots, 3), rad/s."""
+    """By how much the estimated rate of samples jumps at each knot: (knots, 3), rad/s.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> q = qtraj.q_from_rotation_vector([[0, 0, 0], [0, 0, 1], [0, 0, 3]])
+    >>> qtraj.estimate_jumps([0, 1, 2], q, [1.0], frame="body").round(6) + 0
+    array([[0., 0., 1.]])
+    """
     times, q = series_of(times, q)
     knots = _arrays.reals("knots", knots, np.float64)
     if knots.ndim != 1:
@@ -162,7 +184,15 @@ def estimate_jumps(times, q, knots, *, frame):
 
 
 def keyframe_errors(key_times, key_q, times, q):
-    """Rotation angle, rad, of each key to the sample nearest in time, and the index of that sample."""
+    """Rotation angle, rad, of each key to the sample nearest in time, and the index of that sample.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> q = qtraj.q_from_rotation_vector([[0, 0, 0], [0, 0, 1], [0, 0, 3]])
+    >>> qtraj.keyframe_errors([0.9], q[1:2], [0, 1, 2], q).index
+    array([1])
+    """
     key_times, key_q = series_of(key_times, key_q)
     times, q = series_of(times, q)
     cdef size_t bad = SIZE_MAX
@@ -177,6 +207,13 @@ def squad_controls(times, q):
     """Inner controls of SQUAD for keys whose signs are continuous: a named tuple of a (n, 4) and b (n, 4).
 
     a[i] belongs to the segment that starts at key i, b[i] to the one that ends there; times None: evenly spaced keys.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.squad_controls(None, [[1, 0, 0, 0], [0.6, 0, 0, 0.8]]).a
+    array([[1. , 0. , 0. , 0. ],
+           [0.6, 0. , 0. , 0.8]])
     """
     if times is None:
         q = _arrays.quaternions("q", q, np.float64)
@@ -205,6 +242,12 @@ def cubic_spline(x, y, queries, *, ends="natural"):
     Returns
     -------
     ndarray, shape (m, dim) or (m,)
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.cubic_spline([0, 1, 2], [0, 1, 0], [0.5, 1.0])
+    array([0.6875, 1.    ])
     """
     x, y, queries = (_arrays.reals(name, value, np.float64) for name, value in (("x", x), ("y", y), ("queries", queries)))
     if y.ndim not in (1, 2) or x.shape != y.shape[:1] or queries.ndim != 1:
@@ -221,6 +264,13 @@ def rows_from_columns(columns):
     """Columns of a table as rows of one array, (n, width): several times as fast as numpy.stack.
 
     All float32, or else float64.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.rows_from_columns([[1, 2], [3, 4], [5, 6]])
+    array([[1., 3., 5.],
+           [2., 4., 6.]])
     """
     arrays = [_arrays.reals(f"columns[{i}]", column) for i, column in enumerate(columns)]
     if any(array.ndim != 1 or array.shape != arrays[0].shape for array in arrays):
@@ -240,7 +290,14 @@ def rows_from_columns(columns):
 
 
 def columns_from_rows(rows):
-    """Rows (n, width) as a list of width contiguous columns, each (n,)."""
+    """Rows (n, width) as a list of width contiguous columns, each (n,).
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.columns_from_rows([[1, 3], [2, 4]])
+    [array([1., 2.]), array([3., 4.])]
+    """
     rows = _arrays.reals("rows", rows)
     if rows.ndim != 2:
         raise TypeError(f"rows has the shape {rows.shape}, not (n, width)")
@@ -256,20 +313,48 @@ def columns_from_rows(rows):
 
 
 def library_version():
-    """Version of the library inside, such as "0.1.0"."""
+    """Version of the library inside.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.library_version() == qtraj.__version__
+    True
+    """
     return qtraj_version().decode()
 
 
 def target():
-    """Kernel that runs here and its arithmetic, such as "avx2 fused": samples have the same bits wherever the latter is."""
+    """Kernel that runs here and its arithmetic: samples have the same bits wherever the latter is the same.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.target().split()[1] in ("fused", "plain")  # such as "avx2 fused"
+    True
+    """
     return qtraj_target().decode()
 
 
 def status_text(int status):
-    """One line of English about a status."""
+    """One line of English about a status.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.status_text(23)
+    'time does not come after the one before: sort, leave repeats out'
+    """
     return qtraj_status_text(status).decode()
 
 
 def status_name(int status):
-    """Name of a status without its prefix, such as "TIME_ORDER"."""
+    """Name of a status without its prefix.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.status_name(23)
+    'TIME_ORDER'
+    """
     return _words.STATUSES.get(status, str(status))

@@ -96,6 +96,12 @@ def mean_karcher(q, weights=None, *, axis=None, tolerance=0.0, max_iterations=64
     -----
     qtraj.AmbiguousWarning
         Samples are spread so widely that the best that was found is not proven to be the only one.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.mean_karcher([[1, 0, 0, .1], [1, 0, 0, -.1]])
+    array([1., 0., 0., 0.])
     """
     q, weights, shape = groups_of(q, weights, axis)
     cdef size_t groups = q.shape[0], n = q.shape[1], i, bad
@@ -130,6 +136,12 @@ def moments(q, weights=None, *, axis=None):
     """Moments of samples, (..., 11): add those of parts number by number, and make mean_from_moments() of the sum.
 
     The sum of the weights, then the upper triangle of the sum of w q q^T, row by row, as float64.
+
+    Examples
+    --------
+    >>> import qtraj
+    >>> qtraj.moments([[1, 0, 0, 0], [0, 1, 0, 0]])
+    array([2., 1., 0., 0., 0., 1., 0., 0., 0., 0., 0.])
     """
     q, weights, shape = groups_of(q, weights, axis)
     cdef size_t groups = q.shape[0], n = q.shape[1], i, bad
@@ -175,9 +187,9 @@ def make_continuous(q, *, int axis=-2, return_flips=False):
     Examples
     --------
     >>> import qtraj
-    >>> qtraj.make_continuous([[1., 0, 0, 0], [-1, 0, 0, -.1]])
-    array([[1. , 0. , 0. , 0. ],
-           [1. , 0. , 0. , 0.1]])
+    >>> qtraj.make_continuous([[.5, .5, .5, .5], [-.7, -.5, -.3, -.4]])
+    array([[0.5, 0.5, 0.5, 0.5],
+           [0.7, 0.5, 0.3, 0.4]])
     """
     q = _arrays.quaternions("q", q)
     cdef int at = axis + q.ndim if axis < 0 else axis

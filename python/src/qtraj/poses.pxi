@@ -14,7 +14,7 @@ cdef class Poses:
     Examples
     --------
     >>> import qtraj
-    >>> turn = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [1, 0, 0, 1]])
+    >>> turn = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]])
     >>> way = qtraj.VectorCurve([0, 2], [[0, 0, 0], [4, 0, 0]], "linear")
     >>> qtraj.Poses(turn, way)(0.5).position
     array([1., 0., 0.])
@@ -126,7 +126,7 @@ def sample_many(trajectories, t, *, rates=None, layout="series_first"):
     Examples
     --------
     >>> import qtraj
-    >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [1, 0, 0, 1]])
+    >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]])
     >>> qtraj.sample_many([curve, curve], [0.0, 1.0, 2.0]).shape
     (2, 3, 4)
     """

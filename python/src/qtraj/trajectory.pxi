@@ -86,6 +86,24 @@ cdef int check_range(cnp.ndarray t, double start, double end, bint before, bint 
     return 0
 
 
+cdef bint is_count(object rate, object step, object count, object start) except -1:
+    """Whether uniform samples go by their number, not by a distance."""
+    if (rate is not None) + (step is not None) + (count is not None) != 1:
+        raise TypeError("one of rate=, step= and count= is needed")
+    if count is not None and start is not None:
+        raise TypeError("start= belongs to rate= or step=; count= goes from the first key to the last")
+    return count is not None
+
+
+cdef double distance_of(object rate, object step) except? -1:
+    """The distance of samples, s."""
+    if rate is None:
+        return step
+    if not rate > 0:
+        raise ValueError(f"rate={rate!r}: samples a second, above 0")
+    return 1.0 / rate
+
+
 cdef tuple tangent_arrays(object tangents, object real, size_t count):
     """Tangents before and after each key; the second is None where one array serves both, both are for a word."""
     if tangents is None or isinstance(tangents, str):
@@ -152,12 +170,12 @@ cdef class Trajectory:
     Examples
     --------
     >>> import qtraj
-    >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [1, 0, 0, 1]])
+    >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]])
     >>> curve(1.0).round(3)
-    array([0.924, 0.   , 0.   , 0.383])
+    array([0.894, 0.   , 0.   , 0.447])
     >>> curve([0.5, 1.0], 1, frame="body").round(4)
-    array([[0.    , 0.    , 0.7854],
-           [0.    , 0.    , 0.7854]])
+    array([[0.    , 0.    , 0.9273],
+           [0.    , 0.    , 0.9273]])
     """
 
     cdef qtraj_trajectory* handle
@@ -364,16 +382,12 @@ cdef class Trajectory:
         Samples
             A named tuple of times (n,) and values (n, 4), ``w x y z``.
         """
-        if (rate is not None) + (step is not None) + (count is not None) != 1:
-            raise TypeError("one of rate=, step= and count= is needed")
-        if count is not None:
-            if start is not None:
-                raise TypeError("start= belongs to rate= or step=; count= goes from the first key to the last")
+        if is_count(rate, step, count, start):
             times = even_times(self.start, self.end, count)
             return _results.Samples(times, self(times))
         cdef size_t samples = 0, bad = SIZE_MAX
         cdef double first = self.start if start is None else start
-        cdef double distance = 1.0 / rate if step is None else step
+        cdef double distance = distance_of(rate, step)
         check(qtraj_uniform_count(self.handle, first, distance, &samples), SIZE_MAX, "uniform")
         times = first + np.arange(samples) * distance
         cdef cnp.ndarray q = new_rows(times, 4, self.single)

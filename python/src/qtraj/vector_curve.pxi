@@ -137,16 +137,12 @@ cdef class VectorCurve:
 
     def uniform(self, *, rate=None, step=None, count=None, start=None):
         """Values at even distances, as of Trajectory.uniform(): a named tuple of times (n,) and values (n, dim)."""
-        if (rate is not None) + (step is not None) + (count is not None) != 1:
-            raise TypeError("one of rate=, step= and count= is needed")
-        if count is not None:
-            if start is not None:
-                raise TypeError("start= belongs to rate= or step=; count= goes from the first key to the last")
+        if is_count(rate, step, count, start):
             times = even_times(self.start, self.end, count)
             return _results.Samples(times, self(times))
         cdef size_t samples = 0, bad = SIZE_MAX
         cdef double begin = self.start if start is None else start
-        cdef double distance = 1.0 / rate if step is None else step
+        cdef double distance = distance_of(rate, step)
         check(qtraj_vector_uniform_count(self.handle, begin, distance, &samples), SIZE_MAX, "uniform")
         times = begin + np.arange(samples) * distance
         values = self.result(times, None, "out")
