@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # The gate, and what continuous integration runs: builds and tests everything. The library in Release, once, for all
-# tests that judge it as shipped, and once more with the address and undefined-behaviour sanitizers. From nothing at most
-# 15 minutes on two cores; the loop to work in is tests/quick.sh. Compiles through ccache where there is one. Installs
-# what is missing (Debian, Ubuntu); writes only to build/ beside this folder.
+# tests that judge it as shipped, and once more with the address and undefined-behaviour sanitizers; then the Python
+# package with the former. From nothing about 25 minutes on two cores; the loop to work in is tests/quick.sh. Compiles
+# through ccache where there is one. Installs what is missing (Debian, Ubuntu; for the Python package, below build/, from
+# PyPI); writes only to build/ beside this folder.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/support/apt_packages.sh
 
 need_packages cmake g++ make ninja-build libeigen3-dev libhwy-dev catch2 pkg-config python3 python3-scipy \
-  python3-mpmath binutils clang clang-tidy doxygen libbenchmark-dev libglm-dev libboost-dev
+  python3-venv python3-dev python3-mpmath binutils clang clang-tidy doxygen libbenchmark-dev libglm-dev libboost-dev
 need_clang_format
 use_ccache
 
@@ -31,6 +32,9 @@ for preset in asan-ubsan dev; do
   part "$preset, build" build "$preset"
   part "$preset, tests" run_tests "$preset"
 done
+
+echo "== Python package"
+part "python package" tests/python.sh build/dev
 
 echo "== asan-ubsan"
 summary asan-ubsan

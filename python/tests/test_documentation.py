@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import inspect
+import os
 import subprocess
 import sys
 
@@ -40,16 +41,20 @@ def test_functions_without_an_example_are_few():
     assert set(without) <= {"AmbiguousWarning", "NormWarning", "Error"}
 
 
-def test_the_import_is_quick():
-    """At most 15 ms beyond NumPy, whose own import is the measure of the machine."""
-    script = (
-        "import time, numpy; a = time.perf_counter(); import qtraj; print(time.perf_counter() - a)"
-    )
-    best = min(float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout) for _ in range(7))
-    numpy_alone = "import time; a = time.perf_counter(); import numpy; print(time.perf_counter() - a)"
-    numpy = min(float(subprocess.run([sys.executable, "-c", numpy_alone], capture_output=True, text=True, check=True).stdout) for _ in range(7))
-    print(f"import qtraj: {1e3 * best:.1f} ms beyond NumPy, which takes {1e3 * numpy:.1f} ms")
-    assert best < 0.25 * numpy
+def seconds_of_import(before: str, module: str) -> float:
+    """The best of several interpreters; bytecode is kept, as everywhere after a first import."""
+    script = f"import time{before}; start = time.perf_counter(); import {module}; print(time.perf_counter() - start)"
+    keep = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    runs = (subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env=keep) for _ in range(7))
+    return min(float(run.stdout) for run in runs)
+
+
+def test_the_import_is_quick(capsys):
+    """15 ms beyond NumPy, on a machine whose NumPy takes 100 ms: an eighth of it, and room for noise."""
+    ours, numpy = seconds_of_import(", numpy", "qtraj"), seconds_of_import("", "numpy")
+    with capsys.disabled():
+        print(f"\n  import qtraj: {1e3 * ours:.1f} ms beyond NumPy, which takes {1e3 * numpy:.1f} ms", end="")
+    assert ours < 0.15 * numpy
 
 
 def test_the_import_loads_no_optional_package():

@@ -5,7 +5,7 @@ Quaternions are rows ``w x y z``, Hamilton's, from body to world: ``q`` turns ve
 
 >>> import qtraj
 >>> curve = qtraj.Trajectory([0, 1, 3], [[1, 0, 0, 0], [0.6, 0, 0, 0.8], [0, 0.6, 0, 0.8]])
->>> curve(1.0)
+>>> curve(1.0).round(3) + 0
 array([0.6, 0. , 0. , 0.8])
 >>> curve([0, 1], 1, frame="body").shape
 (2, 3)
@@ -75,4 +75,61 @@ from ._tables import resample
 
 __version__ = library_version()
 
-__all__ = [name for name in dir() if not name.startswith("_") and name != "annotations"]
+__all__ = [
+    "AmbiguousWarning",
+    "Error",
+    "NormWarning",
+    "Poses",
+    "Trajectory",
+    "VectorCurve",
+    "angle",
+    "batch_mean_eigen",
+    "check_keys",
+    "columns_from_rows",
+    "conjugate",
+    "cubic_spline",
+    "derivatives_from_rates",
+    "distance",
+    "dot",
+    "estimate_energy",
+    "estimate_jumps",
+    "estimate_omega",
+    "even_times",
+    "exp",
+    "inverse",
+    "keyframe_errors",
+    "library_version",
+    "log",
+    "make_continuous",
+    "matrix_from_q",
+    "mean_eigen",
+    "mean_from_moments",
+    "mean_karcher",
+    "moments",
+    "multiply",
+    "nlerp",
+    "nlerp_between",
+    "norm",
+    "normalize",
+    "power",
+    "q_from_matrix",
+    "q_from_rotation_vector",
+    "rates_from_derivatives",
+    "resample",
+    "rotate",
+    "rotation_vector_from_q",
+    "rows_from_columns",
+    "sample_batch",
+    "sample_many",
+    "screw",
+    "seconds_from_ns",
+    "slerp",
+    "slerp_between",
+    "squad_controls",
+    "squad_segment",
+    "status_name",
+    "status_text",
+    "target",
+    "wxyz_from_xyzw",
+    "xyzw_from_wxyz",
+]

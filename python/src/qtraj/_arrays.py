@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 REAL = (np.dtype(np.float64), np.dtype(np.float32))
 
 
-def reals(name: str, value: object, dtype: type | None = None) -> np.ndarray:
+def reals(name: str, value: Any, dtype: type | None = None) -> np.ndarray:
     """The real numbers of an array or of what NumPy makes one of: contiguous, aligned, in the machine's byte order.
 
     float32 stays float32 where dtype is None; all other numbers become float64. TypeError for what are no real numbers,
@@ -32,10 +34,10 @@ def reals(name: str, value: object, dtype: type | None = None) -> np.ndarray:
         raise TypeError(f"{name} is of type {array.dtype}: real numbers that float64 holds are needed")
     if dtype is None:
         dtype = np.float32 if array.dtype == np.float32 else np.float64
-    return np.require(array, dtype, "CA")
+    return np.require(array, dtype, ("C", "A"))
 
 
-def rows(name: str, value: object, width: int, dtype: type | None = None, shape: tuple | None = None) -> np.ndarray:
+def rows(name: str, value: Any, width: int, dtype: type | None = None, shape: tuple | None = None) -> np.ndarray:
     """Real numbers whose last axis has the given length; with a shape of exactly (*shape, width)."""
     array = reals(name, value, dtype)
     if array.ndim == 0 or array.shape[-1] != width:
@@ -53,7 +55,7 @@ def count(width: int) -> str:
 
 
 def quaternions(
-    name: str, value: object, dtype: type | None = None, shape: tuple | None = None, scalar_first: bool = True
+    name: str, value: Any, dtype: type | None = None, shape: tuple | None = None, scalar_first: bool = True
 ) -> np.ndarray:
     """Rows w x y z of an array, or of a SciPy Rotation; rows x y z w where the scalar is not first."""
     if type(value) is not np.ndarray and hasattr(value, "as_quat"):
@@ -62,7 +64,7 @@ def quaternions(
     return array if scalar_first else np.roll(array, 1, axis=-1)
 
 
-def output(name: str, out: object, shape: tuple, dtype: np.dtype) -> np.ndarray:
+def output(name: str, out: Any, shape: tuple, dtype: np.dtype) -> np.ndarray:
     """The array that a caller gave for a result: it must be exactly what the result needs."""
     if not isinstance(out, np.ndarray):
         raise TypeError(f"{name} is of type {type(out).__name__}, not a NumPy array")

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ._optional import optional
 
-if TYPE_CHECKING:
-    import pyarrow as pa
 
-
-def sample_table(keys: Any, times: str, q: str, arguments: dict[str, Any]) -> pa.Table | pa.RecordBatch:
+def sample_table(keys: Any, times: str, q: str, arguments: dict[str, Any]) -> Any:
     """sample_batch() of a table, batch by batch."""
     pa = optional("pyarrow", "arrow")
     for name in ("omega", "alpha", "at"):
@@ -30,7 +27,7 @@ def sample_table(keys: Any, times: str, q: str, arguments: dict[str, Any]) -> pa
     return pa.Table.from_batches(batches)
 
 
-def sample_record_batch(batch: pa.RecordBatch, times: str, q: str, arguments: dict[str, Any]) -> pa.RecordBatch:
+def sample_record_batch(batch: Any, times: str, q: str, arguments: dict[str, Any]) -> Any:
     """One call of the library, on the memory of the batch where it lies as the library takes it."""
     from ._batch import sample_series
 
@@ -51,14 +48,14 @@ def sample_record_batch(batch: pa.RecordBatch, times: str, q: str, arguments: di
     columns = {name: batch.column(name) for name in batch.schema.names}
     columns[times] = lists(pa, result.offsets, pa.array(result.times), missing)
     columns[q] = lists(pa, result.offsets, numbers(pa, result.q, batch.schema.field(q).type), missing)
-    if result.omega is not None:
+    if result.omega is not None and result.alpha is not None:
         for name, rate in (("omega", result.omega), ("alpha", result.alpha)):
             columns[name] = lists(pa, result.offsets, numbers(pa, rate, batch.schema.field(q).type), missing)
     columns["status"] = pa.array(result.status)
     return pa.RecordBatch.from_arrays(list(columns.values()), names=list(columns))
 
 
-def flat(batch: pa.RecordBatch, name: str, width: int) -> tuple[np.ndarray, np.ndarray]:
+def flat(batch: Any, name: str, width: int) -> tuple[np.ndarray, np.ndarray]:
     """Offsets in rows, int64, and rows of a column of lists: of numbers, of lists of four, or of four times as many."""
     pa = optional("pyarrow", "arrow")
     if name not in batch.schema.names:
@@ -85,7 +82,7 @@ def flat(batch: pa.RecordBatch, name: str, width: int) -> tuple[np.ndarray, np.n
     return offsets // per_row, rows[: len(rows) // width * width].reshape(-1, width)
 
 
-def lists(pa: Any, offsets: np.ndarray, values: Any, missing: Any) -> pa.Array:
+def lists(pa: Any, offsets: np.ndarray, values: Any, missing: Any) -> Any:
     """A column of lists; of long ones where 32 bits do not number their elements."""
     per_row = len(values) // offsets[-1] if offsets[-1] else 1
     ends = offsets * per_row
@@ -93,7 +90,7 @@ def lists(pa: Any, offsets: np.ndarray, values: Any, missing: Any) -> pa.Array:
     return kind.from_arrays(pa.array(ends.astype(integer)), values, mask=missing)
 
 
-def numbers(pa: Any, rows: np.ndarray, like: Any) -> pa.Array:
+def numbers(pa: Any, rows: np.ndarray, like: Any) -> Any:
     """Rows as the keys had them: lists of a fixed size, or one flat list."""
     values = pa.array(rows.reshape(-1))
     if pa.types.is_fixed_size_list(getattr(like, "value_type", like)):

@@ -53,7 +53,7 @@ class Error(ValueError):
         self.name = name
         self.index = index
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Error], tuple[int, str, int | None, str]]:
         return Error, (self.status, self.name, self.index, str(self))
 
 

@@ -29,14 +29,14 @@ def chosen(ufunc: str, name: str, word: object, words: tuple[str, str]) -> np.uf
     return getattr(_ufuncs, f"{ufunc}_{word}")
 
 
-def scalars(name: str, value: object) -> Any:
+def scalars(name: str, value: Any) -> Any:
     """Fractions, exponents, limits: a Python number takes the type of the arrays beside it."""
     if type(value) in (float, int):
         return value
     return reals(name, value)
 
 
-def matrices(name: str, value: object) -> np.ndarray:
+def matrices(name: str, value: Any) -> np.ndarray:
     array = reals(name, value)
     if array.shape[-2:] != (3, 3):
         raise TypeError(f"{name} has the shape {array.shape}, not (..., 3, 3)")

@@ -124,7 +124,7 @@ class Clock:
             if np.isnat(stamps).any():
                 raise TypeError(f"column {name} has no time in row {int(np.isnat(stamps).argmax())}")
             self.ns = stamps.astype("datetime64[ns]").view(np.int64)
-            self.scale = int(np.timedelta64(1, np.datetime_data(stamps.dtype)[0]) / np.timedelta64(1, "ns"))
+            self.scale = int(np.ones(1, stamps.dtype.str.replace("M8", "m8")).astype("timedelta64[ns]").view(np.int64)[0])
         elif stamps.dtype.kind in "iu":
             if unit not in UNITS:
                 raise TypeError(f"column {name} holds whole numbers: say unit='ns', 'us', 'ms' or 's'")
@@ -179,14 +179,14 @@ def sample_times(
     unit = clock.scale
     if not distance > 0 or distance * 1e9 < unit:
         raise ValueError(f"a sample each {distance!r} s: times of this column are whole numbers of {unit} ns")
-    whole = []
+    parts = []
     for first, last in zip(ns[offsets[:-1]], ns[offsets[1:] - 1], strict=True):
         count = int((last - first) / (distance * 1e9) + 1e-9) + 1
         # by double: exact to a nanosecond for 50 days
         steps = np.rint(np.arange(count) * (distance * 1e9 / unit)).astype(np.int64) * unit
-        whole.append(np.minimum(first + steps, last))
-    sample_offsets = np.concatenate([[0], np.cumsum([len(part) for part in whole])]).astype(np.int64)
-    all_ns = np.concatenate(whole) if whole else np.zeros(0, np.int64)
+        parts.append(np.minimum(first + steps, last))
+    sample_offsets = np.concatenate([[0], np.cumsum([len(part) for part in parts])]).astype(np.int64)
+    all_ns = np.concatenate(parts) if parts else np.zeros(0, np.int64)
     return sample_offsets, Samples(_core.seconds_from_ns(all_ns, clock.origin), clock.stamps_of(all_ns))
 
 
@@ -231,7 +231,7 @@ def raise_first(status: np.ndarray, offsets: np.ndarray, order: np.ndarray) -> N
 
 def sample_positions(
     offsets: np.ndarray, seconds: np.ndarray, values: np.ndarray, sample_offsets: np.ndarray, samples: np.ndarray,
-    method: str, longest_gap: float | None, extrapolate: Any,
+    method: Any, longest_gap: float | None, extrapolate: Any,
 ) -> np.ndarray:  # fmt: skip
     """Positions of all groups, a curve for each."""
     out = np.empty((len(samples), values.shape[1]), values.dtype)
@@ -333,7 +333,7 @@ class Table:
     @staticmethod
     def localized(stamps: np.ndarray, dtype: Any) -> Any:
         """Stamps as pandas has them, in the time zone of the column."""
-        import pandas
+        import pandas  # type: ignore[import-untyped]
 
         if getattr(dtype, "tz", None) is None:
             return stamps

@@ -190,7 +190,7 @@ def keyframe_errors(key_times, key_q, times, q):
     --------
     >>> import qtraj
     >>> q = qtraj.q_from_rotation_vector([[0, 0, 0], [0, 0, 1], [0, 0, 3]])
-    >>> qtraj.keyframe_errors([0.9], q[1:2], [0, 1, 2], q).index
+    >>> qtraj.keyframe_errors([0.9], q[1:2], [0, 1, 2], q).sample
     array([1])
     """
     key_times, key_q = series_of(key_times, key_q)

@@ -22,6 +22,7 @@ cdef int end_constant(object end) except -1:
     return constant("ends", _words.ENDS, end if isinstance(end, str) else "given")
 
 
+@cython.final
 cdef class Settings:
     """Options of a method, in memory of their own."""
 

@@ -1,0 +1,26 @@
+# Copies what the library takes of Eigen and Highway, with their licences, into headers/: for the archive of the sources,
+# which builds where neither is installed. The folder is not kept in git.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+find_path(highway hwy/highway.h REQUIRED)
+
+file(REMOVE_RECURSE ${headers})
+file(COPY ${eigen}/Eigen DESTINATION ${headers}/eigen3)
+file(GLOB highway_headers ${highway}/hwy/*.h ${highway}/hwy/ops/*.h)
+foreach(file IN LISTS highway_headers)
+  file(RELATIVE_PATH relative ${highway} ${file})
+  get_filename_component(folder ${relative} DIRECTORY)
+  file(COPY ${file} DESTINATION ${headers}/highway/${folder})
+endforeach()
+file(WRITE ${headers}/eigen3/Eigen3Config.cmake "# Eigen's headers in this archive
+add_library(Eigen3::Eigen INTERFACE IMPORTED)
+set_target_properties(Eigen3::Eigen PROPERTIES INTERFACE_INCLUDE_DIRECTORIES \${CMAKE_CURRENT_LIST_DIR})
+")
+file(WRITE ${headers}/eigen3/Eigen3ConfigVersion.cmake "set(PACKAGE_VERSION ${Eigen3_VERSION})
+set(PACKAGE_VERSION_COMPATIBLE TRUE)
+")
+foreach(package libeigen3-dev libhwy-dev)
+  if(EXISTS /usr/share/doc/${package}/copyright)
+    file(COPY_FILE /usr/share/doc/${package}/copyright ${headers}/${package}.copyright)
+  endif()
+endforeach()
