@@ -75,6 +75,11 @@ cd "$folder/tests"
 echo "== The tests, with what the package can work with"
 newest=$(interpreter 11)
 environment full "${newest:-$(command -v python3)}" -r requirements.txt
+if command -v java >/dev/null; then
+  "$folder/full/bin/pip" install "pyspark~=4.0"
+else
+  echo "no java here: examples/engines/with_spark.py is not tried"
+fi
 "$folder/full/bin/python" -m pytest -q -m "not speed"
 echo "== Speed, while nothing else runs"
 "$folder/full/bin/python" -m pytest -q -m speed
