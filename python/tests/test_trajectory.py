@@ -74,6 +74,8 @@ def test_a_frame_has_no_default(keys):
         curve.motion(1.0)
     with pytest.raises(ValueError, match="frame='bdoy': one of 'body', 'world'"):
         curve(1.0, 1, frame="bdoy")
+    with pytest.raises(ValueError, match="frame='bdoy'"):
+        qtraj.Trajectory(TIMES, keys, frame="bdoy")
     with pytest.raises(ValueError, match="order=3"):
         curve(1.0, 3, frame="body")
 
@@ -325,10 +327,12 @@ def test_curves_are_immutable_comparable_and_picklable(keys, rng):
         qtraj.Trajectory(TIMES, keys.astype(np.float32), "log_spline", reference=keys[0]),
         qtraj.Trajectory(TIMES, keys, "hermite", omega=omega, frame="world", dtype="float32"),
         qtraj.Trajectory(TIMES, keys, "quaternion_hermite", tangents=(keys, -keys)),
+        qtraj.Trajectory(TIMES[:2], keys[:2], "quaternion_hermite", tangents=keys[:2].tolist(), extrapolate=["hold", "hold"]),
+        qtraj.Trajectory(TIMES, keys, ends=[[0, 0, 1], [0.0, 1, 0]], frame="world"),
         qtraj.Trajectory(TIMES, keys, "slerp", turns=[0, 1, 0, -1, 0, 0], longest_gap=3, period=8.0, closure=0.1),
     ]
-    t = np.linspace(0, 6, 50)
     for one in curves:
+        t = np.linspace(*one.span, 50)
         for other in (pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)):
             assert other == one and hash(other) == hash(one) and repr(other) == repr(one)
             np.testing.assert_array_equal(other(t), one(t))

@@ -8,7 +8,6 @@ from libc.math cimport NAN
 from libc.stdint cimport SIZE_MAX, int32_t, int64_t
 from _capi cimport *
 
-import sys
 import warnings
 
 import numpy as np

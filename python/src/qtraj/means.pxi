@@ -21,6 +21,67 @@ cdef tuple groups_of(object q, object weights, object axis):
     return q, weights, shape
 
 
+cdef struct Descent:
+    # What a Karcher mean is asked for beside its samples.
+    double tolerance
+    int32_t max_iterations
+
+# One group: n samples and their weights, or NULL; out receives its mean or moments, more its eigengap.
+ctypedef int (*call_of_group)(const void* q, const void* weights, size_t n, bint single, void* out, double* more,
+                              Descent descent) noexcept nogil
+
+
+cdef int eigen_of(const void* q, const void* weights, size_t n, bint single, void* out, double* more,
+                  Descent descent) noexcept nogil:
+    cdef size_t bad
+    if single:
+        return qtraj_mean_eigen_f32(<const float*>q, <const float*>weights, n, <float*>out, more, &bad)
+    return qtraj_mean_eigen(<const double*>q, <const double*>weights, n, <double*>out, more, &bad)
+
+
+cdef int karcher_of(const void* q, const void* weights, size_t n, bint single, void* out, double* more,
+                    Descent descent) noexcept nogil:
+    cdef size_t bad
+    if single:
+        return qtraj_mean_karcher_f32(<const float*>q, <const float*>weights, n, descent.tolerance,
+                                      descent.max_iterations, <float*>out, NULL, NULL, &bad)
+    return qtraj_mean_karcher(<const double*>q, <const double*>weights, n, descent.tolerance, descent.max_iterations,
+                              <double*>out, NULL, NULL, &bad)
+
+
+cdef int moments_of(const void* q, const void* weights, size_t n, bint single, void* out, double* more,
+                    Descent descent) noexcept nogil:
+    cdef size_t bad
+    cdef double* sums = <double*>out
+    cdef int status
+    if single:
+        status = qtraj_moments_add_f32(<const float*>q, <const float*>weights, n, sums, &bad)
+    else:
+        status = qtraj_moments_add(<const double*>q, <const double*>weights, n, sums, &bad)
+    if status != QTRAJ_OK:
+        sums[0] = NAN
+    return status
+
+
+cdef int each_group(call_of_group call, object q, object weights, object out, object more, Descent descent):
+    """Calls a function for each group; the first status that is not OK, a fault before an ambiguity."""
+    cdef size_t groups = q.shape[0], n = q.shape[1], i
+    cdef bint single = q.dtype == np.float32
+    cdef size_t size = 4 if single else 8, out_step = out.strides[0]
+    cdef char *x = <char*>data(q)
+    cdef char *w = <char*>data(weights)
+    cdef char *y = <char*>data(out)
+    cdef double *z = <double*>data(more)
+    cdef int status, first = QTRAJ_OK
+    with nogil:
+        for i in range(groups):
+            status = call(x + 4 * n * i * size, w + n * i * size if w else NULL, n, single, y + i * out_step,
+                          z + i if z else NULL, descent)
+            if status != QTRAJ_OK and (first == QTRAJ_OK or first == QTRAJ_E_AMBIGUOUS):
+                first = status
+    return first
+
+
 def mean_eigen(q, weights=None, *, axis=None, return_eigengap=False):
     """Mean orientation that minimises the weighted sum of squared chords.
 
@@ -52,26 +113,9 @@ def mean_eigen(q, weights=None, *, axis=None, return_eigengap=False):
     array([1., 0., 0., 0.])
     """
     q, weights, shape = groups_of(q, weights, axis)
-    cdef size_t groups = q.shape[0], n = q.shape[1], i, bad
-    mean, gap = np.empty((groups, 4), q.dtype), np.empty(groups)
-    cdef bint single = q.dtype == np.float32
-    cdef char *x = <char*>data(q)
-    cdef char *w = <char*>data(weights)
-    cdef char *m = <char*>data(mean)
-    cdef double* g = <double*>data(gap)
-    cdef size_t size = 4 if single else 8
-    cdef int status = QTRAJ_OK, first = QTRAJ_OK
-    with nogil:
-        for i in range(groups):
-            if single:
-                status = qtraj_mean_eigen_f32(<float*>(x + 4 * n * i * size), <float*>(w + n * i * size) if w else NULL,
-                                              n, <float*>(m + 4 * i * size), g + i, &bad)
-            else:
-                status = qtraj_mean_eigen(<double*>(x + 4 * n * i * size), <double*>(w + n * i * size) if w else NULL, n,
-                                          <double*>(m + 4 * i * size), g + i, &bad)
-            if status != QTRAJ_OK and first in (QTRAJ_OK, QTRAJ_E_AMBIGUOUS):
-                first = status
-    judge(first, SIZE_MAX, "mean_eigen", "sample")
+    mean, gap = np.empty((len(q), 4), q.dtype), np.empty(len(q))
+    cdef Descent none = Descent(0, 0)
+    judge(each_group(eigen_of, q, weights, mean, gap, none), SIZE_MAX, "mean_eigen", "sample")
     mean = mean.reshape(*shape, 4)
     return (mean, gap.reshape(shape)[()]) if return_eigengap else mean
 
@@ -104,31 +148,12 @@ def mean_karcher(q, weights=None, *, axis=None, tolerance=0.0, max_iterations=64
     array([1., 0., 0., 0.])
     """
     q, weights, shape = groups_of(q, weights, axis)
-    cdef size_t groups = q.shape[0], n = q.shape[1], i, bad
-    mean = np.empty((groups, 4), q.dtype)
-    cdef bint single = q.dtype == np.float32
-    cdef char *x = <char*>data(q)
-    cdef char *w = <char*>data(weights)
-    cdef char *m = <char*>data(mean)
-    cdef size_t size = 4 if single else 8
-    cdef double step = tolerance
-    cdef int32_t most = max_iterations
-    cdef int status = QTRAJ_OK, first = QTRAJ_OK
-    with nogil:
-        for i in range(groups):
-            if single:
-                status = qtraj_mean_karcher_f32(
-                    <float*>(x + 4 * n * i * size), <float*>(w + n * i * size) if w else NULL, n, step, most,
-                    <float*>(m + 4 * i * size), NULL, NULL, &bad)
-            else:
-                status = qtraj_mean_karcher(
-                    <double*>(x + 4 * n * i * size), <double*>(w + n * i * size) if w else NULL, n, step, most,
-                    <double*>(m + 4 * i * size), NULL, NULL, &bad)
-            if status != QTRAJ_OK and first in (QTRAJ_OK, QTRAJ_E_AMBIGUOUS):
-                first = status
-    if first == QTRAJ_E_NO_CONVERGENCE:
-        check(first, SIZE_MAX, "mean_karcher")
-    judge(first, SIZE_MAX, "mean_karcher", "sample")
+    mean = np.empty((len(q), 4), q.dtype)
+    cdef Descent descent = Descent(tolerance, max_iterations)
+    cdef int status = each_group(karcher_of, q, weights, mean, None, descent)
+    if status == QTRAJ_E_NO_CONVERGENCE:
+        check(status, SIZE_MAX, "mean_karcher")
+    judge(status, SIZE_MAX, "mean_karcher", "sample")
     return mean.reshape(*shape, 4)
 
 
@@ -144,26 +169,9 @@ def moments(q, weights=None, *, axis=None):
     array([2., 1., 0., 0., 0., 1., 0., 0., 0., 0., 0.])
     """
     q, weights, shape = groups_of(q, weights, axis)
-    cdef size_t groups = q.shape[0], n = q.shape[1], i, bad
-    sums = np.zeros((groups, 11))
-    cdef bint single = q.dtype == np.float32
-    cdef char *x = <char*>data(q)
-    cdef char *w = <char*>data(weights)
-    cdef double* s = <double*>data(sums)
-    cdef size_t size = 4 if single else 8
-    cdef int status = QTRAJ_OK, first = QTRAJ_OK
-    with nogil:
-        for i in range(groups):
-            if single:
-                status = qtraj_moments_add_f32(<float*>(x + 4 * n * i * size), <float*>(w + n * i * size) if w else NULL,
-                                               n, s + 11 * i, &bad)
-            else:
-                status = qtraj_moments_add(<double*>(x + 4 * n * i * size), <double*>(w + n * i * size) if w else NULL,
-                                           n, s + 11 * i, &bad)
-            if status != QTRAJ_OK:
-                first = status
-                s[11 * i] = NAN
-    judge(first, SIZE_MAX, "moments", "sample")
+    sums = np.zeros((len(q), 11))
+    cdef Descent none = Descent(0, 0)
+    judge(each_group(moments_of, q, weights, sums, None, none), SIZE_MAX, "moments", "sample")
     return sums.reshape(*shape, 11)
 
 

@@ -42,6 +42,14 @@ cdef class Poses:
         """Poses and their rates in one pass: a named tuple of q, omega, alpha, position, velocity, acceleration.
 
         omega, rad/s, and alpha, rad/s^2, in the frame; velocity and acceleration in that of the positions.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> turn = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]])
+        >>> way = qtraj.VectorCurve([0, 2], [[0, 0, 0], [4, 0, 0]], "linear")
+        >>> qtraj.Poses(turn, way).motion(0.5, frame="body").velocity
+        array([2., 0., 0.])
         """
         cdef cnp.ndarray times = times_of(t)
         cdef bint single = self.turning.single

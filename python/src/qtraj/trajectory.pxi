@@ -30,18 +30,20 @@ cdef bint same_value(object a, object b):
     return type(a) is type(b) and a == b
 
 
-cdef object frozen_setting(object value):
-    """A setting that was passed, kept: words and numbers as they are, arrays as copies, pairs of either."""
-    if value is None or isinstance(value, (str, bool)):
+cdef object frozen_setting(str name, object value):
+    """A setting that was passed, kept so that the constructor takes it again: pairs as pairs, arrays as copies."""
+    if name in ("ends", "extrapolate") and isinstance(value, (tuple, list)) and len(value) == 2:
+        return tuple([frozen_setting("", part) for part in value])
+    if name == "tangents" and isinstance(value, tuple) and len(value) == 2:
+        return tuple([frozen_setting("", part) for part in value])
+    if value is None or isinstance(value, str):
         return value
-    if isinstance(value, (tuple, list)) and any(not isinstance(part, (int, float)) for part in value):
-        return tuple(frozen_setting(part) for part in value)
     if isinstance(value, (int, float)):
         return float(value)
     if hasattr(value, "as_quat"):
-        value = _arrays.quaternions("reference", value)
+        value = _arrays.quaternions(name, value)
     array = np.asarray(value)
-    return frozen(array if array.dtype.kind in "iu" else _arrays.reals("setting", value))
+    return frozen(array if array.dtype.kind in "iu" else _arrays.reals(name, value))
 
 
 cdef bint result_is_single(object dtype, object keys) except -1:
@@ -55,9 +57,9 @@ cdef bint result_is_single(object dtype, object keys) except -1:
 
 cdef dict kept_settings(bint single, object keys, object extrapolate, dict arguments):
     """What a curve was made with beside its keys, as its constructor takes it again."""
-    settings = {name: frozen_setting(value) for name, value in arguments.items() if value is not None}
+    settings = {name: frozen_setting(name, value) for name, value in arguments.items() if value is not None}
     if extrapolate != "error":
-        settings["extrapolate"] = frozen_setting(extrapolate)
+        settings["extrapolate"] = frozen_setting("extrapolate", extrapolate)
     if single != (keys.dtype == np.float32):
         settings["dtype"] = "float32" if single else "float64"
     return settings
@@ -194,6 +196,8 @@ cdef class Trajectory:
                   ends=None, tangents=None, reference=None, turns=None, extrapolate="error", longest_gap=None,
                   period=None, closure=None, dtype=None):
         cdef Settings settings = Settings(constant("method", _words.METHODS, method))
+        if frame is not None:
+            frame_of(frame)
         settings.set_common(extrapolate, longest_gap, period, closure)
         settings.set_ends(ends, frame)
         settings.set_reference(reference)
@@ -355,6 +359,13 @@ cdef class Trajectory:
         -------
         Motion
             A named tuple of q (..., 4), omega (..., 3), rad/s, and alpha (..., 3), rad/s^2.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.motion(1.0, frame="body").omega.round(4)
+        array([0.    , 0.    , 0.9273])
         """
         cdef cnp.ndarray times = times_of(t)
         q, omega, alpha = out
@@ -363,7 +374,15 @@ cdef class Trajectory:
             self.result(times, 3, alpha, "out[2]")))
 
     def rotation(self, t):
-        """Samples as a ``scipy.spatial.transform.Rotation``: of one time or of a list of times."""
+        """Samples as a ``scipy.spatial.transform.Rotation``: of one time or of a list of times.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> round(float(curve.rotation(1.0).magnitude()), 4)
+        0.9273
+        """
         from scipy.spatial.transform import Rotation
         return Rotation.from_quat(np.roll(self(t), -1, axis=-1))
 
@@ -381,6 +400,13 @@ cdef class Trajectory:
         -------
         Samples
             A named tuple of times (n,) and values (n, 4), ``w x y z``.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.uniform(rate=2).times
+        array([0. , 0.5, 1. , 1.5, 2. ])
         """
         if is_count(rate, step, count, start):
             times = even_times(self.start, self.end, count)
@@ -408,6 +434,13 @@ cdef class Trajectory:
         -------
         Unnormalized
             A named tuple of p, dp, ddp, each of shape t.shape + (4,), float64; 1, 1/s, 1/s^2.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0, 0, 0, 1]], "nlerp").unnormalized(1.0).p.round(4)
+        array([0.5, 0. , 0. , 0.5])
         """
         cdef cnp.ndarray times = times_of(t)
         cdef size_t bad = SIZE_MAX
@@ -496,7 +529,15 @@ cdef class Trajectory:
         return q
 
     def segment_times(self, size_t per_segment):
-        """Times in every segment, evenly spaced, both ends included and knots once: for plots of rates that jump."""
+        """Times in every segment, evenly spaced, both ends included and knots once: for plots of rates that jump.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.segment_times(3)
+        array([0., 1., 2.])
+        """
         cdef size_t segments = qtraj_key_count(self.handle) - 1
         if per_segment < 2 or per_segment > 1 << 40:
             raise ValueError(f"per_segment={per_segment}: 2 or more")
@@ -542,7 +583,15 @@ cdef class Trajectory:
             qtraj_iterations(self.handle), qtraj_residual(self.handle), norm, time)
 
     def jumps(self, *, frame):
-        """By how much rates jump at each key: a named tuple of omega (n, 3), rad/s, and alpha (n, 3), rad/s^2."""
+        """By how much rates jump at each key: a named tuple of omega (n, 3), rad/s, and alpha (n, 3), rad/s^2.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.jumps(frame="body").omega.shape
+        (2, 3)
+        """
         count = qtraj_key_count(self.handle)
         omega, alpha = np.empty((count, 3)), np.empty((count, 3))
         judge(qtraj_curve_jumps(self.handle, frame_of(frame), <double*>data(omega), <double*>data(alpha)), SIZE_MAX,
@@ -550,7 +599,15 @@ cdef class Trajectory:
         return _results.Jumps(omega, alpha)
 
     def peak_rates(self):
-        """Greatest lengths of the rates, and when: a named tuple of omega, rad/s, omega_time, alpha, alpha_time."""
+        """Greatest lengths of the rates, and when: a named tuple of omega, rad/s, omega_time, alpha, alpha_time.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> round(curve.peak_rates().omega, 4)
+        0.9273
+        """
         cdef double omega = 0, omega_time = 0, alpha = 0, alpha_time = 0
         cdef int status
         with nogil:
@@ -559,7 +616,15 @@ cdef class Trajectory:
         return _results.PeakRates(omega, omega_time, alpha, alpha_time)
 
     def rate_bounds(self):
-        """Bounds never below the true peaks and within 1e-6 of them: a named tuple of omega, rad/s, alpha, rad/s^2."""
+        """Bounds never below the true peaks and within 1e-6 of them: a named tuple of omega, rad/s, alpha, rad/s^2.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.rate_bounds().omega >= curve.peak_rates().omega
+        True
+        """
         cdef double omega = 0, alpha = 0
         cdef int status
         with nogil:
@@ -572,6 +637,13 @@ cdef class Trajectory:
 
         Half a radian or more says that the rates passed are not what they are taken for: degrees for radians, world for
         body, a wrong sign.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.rate_mismatch().angle < 1e-12
+        True
         """
         cdef double angle = 0
         cdef size_t step = 0
@@ -579,7 +651,15 @@ cdef class Trajectory:
         return _results.RateMismatch(angle, step)
 
     def energy(self):
-        """Integral of the square of the angular acceleration over the curve, rad^2/s^3."""
+        """Integral of the square of the angular acceleration over the curve, rad^2/s^3.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> curve.energy() < 1e-12
+        True
+        """
         cdef double energy = 0
         cdef int status
         with nogil:
@@ -588,7 +668,15 @@ cdef class Trajectory:
         return energy
 
     def total_angle(self):
-        """Integral of the angular speed over the curve, rad: by how much the body turns in all."""
+        """Integral of the angular speed over the curve, rad: by how much the body turns in all.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> curve = qtraj.Trajectory([0, 2], [[1, 0, 0, 0], [0.6, 0, 0, 0.8]], "slerp")
+        >>> round(curve.total_angle(), 4)
+        1.8546
+        """
         cdef double angle = 0
         cdef int status
         with nogil:

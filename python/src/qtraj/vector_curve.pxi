@@ -129,14 +129,30 @@ cdef class VectorCurve:
         return results[order]
 
     def motion(self, t):
-        """Values and both derivatives in one pass: a named tuple of value, first, second."""
+        """Values and both derivatives in one pass: a named tuple of value, first, second.
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> path = qtraj.VectorCurve([0, 2], [[0.0, 0], [2, 4]], "linear")
+        >>> path.motion(0.5).first
+        array([1., 2.])
+        """
         cdef cnp.ndarray times = times_of(t)
         results = [self.result(times, None, "out") for _ in range(3)]
         self.sampled(times, results[0], results[1], results[2])
         return _results.VectorMotion(*results)
 
     def uniform(self, *, rate=None, step=None, count=None, start=None):
-        """Values at even distances, as of Trajectory.uniform(): a named tuple of times (n,) and values (n, dim)."""
+        """Values at even distances, as of Trajectory.uniform(): a named tuple of times (n,) and values (n, dim).
+
+        Examples
+        --------
+        >>> import qtraj
+        >>> path = qtraj.VectorCurve([0, 2], [[0.0, 0], [2, 4]], "linear")
+        >>> path.uniform(count=3).values[1]
+        array([1., 2.])
+        """
         if is_count(rate, step, count, start):
             times = even_times(self.start, self.end, count)
             return _results.Samples(times, self(times))
