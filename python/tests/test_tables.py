@@ -113,6 +113,14 @@ def test_a_pandas_index_of_times_in_a_zone(rng):
     assert out.index[0] == index[0] and out.index[-1] == index[-1]
 
 
+def test_a_polars_column_of_times_in_a_zone(rng):
+    when = pandas.date_range("2026-12-01", periods=20, freq="100ms", tz="Europe/Berlin")
+    frame = polars.from_pandas(pandas.DataFrame({"when": when, **dict(zip(Q, walk(rng, 20).T))}))
+    out = qtraj.resample(frame, "when", rate=20)
+    assert out["when"].dtype == frame["when"].dtype and out["when"][0] == frame["when"][0] and out["when"][-1] == frame["when"][-1]
+    assert out["when"][1] - out["when"][0] == pandas.Timedelta("50ms")
+
+
 def test_gaps_and_times_outside_are_nan(recording):
     frame = pandas.DataFrame(recording).drop(index=range(40, 60))
     with np.errstate(invalid="ignore"):

@@ -296,6 +296,15 @@ def test_uniform_samples(keys):
             curve.uniform(**wrong)
     with pytest.raises(qtraj.Error):
         curve.uniform(step=0.0)
+    with pytest.raises(ValueError, match="rate=0: samples a second, above 0"):
+        curve.uniform(rate=0)
+    for call in (lambda n: curve.uniform(count=n), lambda n: curve.segment_times(n), lambda n: qtraj.even_times(0, 1, n)):
+        with pytest.raises(ValueError, match="a whole number of"):
+            call(-1)
+        with pytest.raises(ValueError, match="memory"):
+            call(10**30)
+        with pytest.raises(TypeError):
+            call(2.5)
 
 
 def test_curve_diagnostics(keys):

@@ -8,6 +8,7 @@ from libc.math cimport NAN
 from libc.stdint cimport SIZE_MAX, int32_t, int64_t
 from _capi cimport *
 
+import operator
 import warnings
 
 import numpy as np

@@ -181,8 +181,9 @@ def batch_mean_eigen(offsets, q, weights=None):
     return mean
 
 
-def batch_even_times(key_offsets, times, size_t count, double period):
+def batch_even_times(key_offsets, times, samples, double period):
     """Offsets and times of so many samples of each series, evenly from its first key to its last, closing ones too."""
+    cdef size_t count = whole("count", samples, 0)
     times = flat_times(times)
     cdef cnp.ndarray keys = offsets_of("offsets", key_offsets, len(times))
     if np.any(np.diff(keys) < 0) or keys[0] < 0:

@@ -10,7 +10,7 @@ cdef tuple series_of(object times, object q):
     return times, q
 
 
-def even_times(double first, double last, size_t count):
+def even_times(double first, double last, count):
     """Times at even distances from first to last, both exact, s.
 
     Examples
@@ -19,8 +19,8 @@ def even_times(double first, double last, size_t count):
     >>> qtraj.even_times(0, 1, 5)
     array([0.  , 0.25, 0.5 , 0.75, 1.  ])
     """
-    times = np.empty(count)
-    check(qtraj_even_times(first, last, count, <double*>data(times)), SIZE_MAX, "even_times")
+    times = np.empty(whole("count", count, 0))
+    check(qtraj_even_times(first, last, times.size, <double*>data(times)), SIZE_MAX, "even_times")
     return times
 
 

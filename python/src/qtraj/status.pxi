@@ -62,6 +62,14 @@ cdef cnp.ndarray times_of(object t, str name="t"):
     return _arrays.reals(name, t, np.float64)
 
 
+cdef size_t whole(str name, object value, size_t least) except? 0:
+    """A number of things: whole, and not below the least."""
+    number = operator.index(value)
+    if number < <object>least or number > 1 << 40:
+        raise ValueError(f"{name}={value!r}: a whole number of {least} or more, and no more than memory holds")
+    return number
+
+
 cdef object constant(str name, dict family, object word):
     return _words.number(name, family, word)
 

@@ -528,7 +528,7 @@ cdef class Trajectory:
         check(qtraj_keys(self.handle, NULL, <double*>data(q)))
         return q
 
-    def segment_times(self, size_t per_segment):
+    def segment_times(self, per_segment):
         """Times in every segment, evenly spaced, both ends included and knots once: for plots of rates that jump.
 
         Examples
@@ -538,11 +538,9 @@ cdef class Trajectory:
         >>> curve.segment_times(3)
         array([0., 1., 2.])
         """
-        cdef size_t segments = qtraj_key_count(self.handle) - 1
-        if per_segment < 2 or per_segment > 1 << 40:
-            raise ValueError(f"per_segment={per_segment}: 2 or more")
-        times = np.empty(segments * (per_segment - 1) + 1)
-        check(qtraj_segment_times(self.handle, per_segment, <double*>data(times)))
+        cdef size_t each = whole("per_segment", per_segment, 2)
+        times = np.empty((len(self) - 1) * (each - 1) + 1)
+        check(qtraj_segment_times(self.handle, each, <double*>data(times)))
         return times
 
     def __len__(self):
