@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$1"
 for tool in clang-format-14 clang-format build/tools/clang_format/data/bin/clang-format; do
   case "$("$tool" --version 2>/dev/null)" in *"version 14."*)
-    find . -path './build*' -prune -o -type f -name '*.[ch]' -print0 -o -type f -name '*.[ch]pp' -print0 |
+    find . '(' -path './build*' -o -path ./python/headers ')' -prune -o -type f -name '*.[ch]' -print0 -o -type f -name '*.[ch]pp' -print0 |
       xargs -0 "$tool" --dry-run -Werror
     exit ;;
   esac

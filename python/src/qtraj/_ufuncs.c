@@ -1,14 +1,13 @@
 /* Generalised ufuncs over the functions of the C interface that take rows: broadcasting, out=, float32 and float64.
  *
  * One loop serves all that go row by row: a table says how many numbers a row of each operand has and which C function
- * takes it. Rows at fault are NaN, by the library; FE_INVALID makes np.errstate decide what becomes of them. An ambiguous
- * row holds an answer and sets a flag of the thread, which take_ambiguous() reads. */
+ * takes it. Rows at fault are NaN, by the library; FE_INVALID makes np.errstate decide what becomes of them. An
+ * ambiguous row holds an answer and sets a flag of the thread, which take_ambiguous() reads. */
 #include <Python.h>
-#include <numpy/arrayobject.h>
-#include <numpy/ufuncobject.h>
-
 #include <fenv.h>
 #include <math.h>
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
 #include <qtraj.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -41,19 +40,19 @@ static void tell(int seen) {
 /* ---- The functions, all with one signature ---- */
 
 /* in: rows of each input, counts of them or one that serves all; out: count rows of each output. */
-typedef qtraj_status call_rows(const void* const* in, const size_t* counts, size_t count, void* const* out, size_t* bad);
+typedef qtraj_status call_rows(const void* const* in, const size_t* counts, size_t count, void* const* out,
+                               size_t* bad);
 
-#define CALL(name, type, call)                                                                                      \
-  static qtraj_status name(const void* const* in, const size_t* counts, size_t count, void* const* out,             \
-                           size_t* bad) {                                                                           \
-    const type *a = in[0], *b = in[1], *c = in[2], *d = in[3], *e = in[4];                                          \
-    const double *s = in[1], *t = in[3], *u = in[4];                                                                \
-    type *x = out[0], *y = out[1];                                                                                  \
+#define CALL(name, type, call)                                                                                         \
+  static qtraj_status name(const void* const* in, const size_t* counts, size_t count, void* const* out, size_t* bad) { \
+    const type *a = in[0], *b = in[1], *c = in[2], *d = in[3], *e = in[4];                                             \
+    const double *s = in[1], *t = in[3], *u = in[4];                                                                   \
+    type *x = out[0], *y = out[1];                                                                                     \
     (void)counts, (void)bad, (void)a, (void)b, (void)c, (void)d, (void)e, (void)s, (void)t, (void)u, (void)x, (void)y; \
-    return call;                                                                                                    \
+    return call;                                                                                                       \
   }
-#define BOTH(name, function, arguments)                \
-  CALL(name, double, qtraj_##function arguments)       \
+#define BOTH(name, function, arguments)          \
+  CALL(name, double, qtraj_##function arguments) \
   CALL(name##_f32, float, qtraj_##function##_f32 arguments)
 
 #define PAIRS (a, counts[0], b, counts[1], count, x, bad)
@@ -113,15 +112,14 @@ static qtraj_status squad_segment(const void* const* in, const size_t* counts, s
                            row[4] + i * step[4], 1, q + 4 * i, &unused));
 }
 
-#define FROM_MATRIX(name, type, function)                                                                       \
-  static qtraj_status name(const void* const* in, const size_t* counts, size_t count, void* const* out,         \
-                           size_t* bad) {                                                                       \
-    const type *matrix = in[0], *limit = in[1];                                                                 \
-    type *q = out[0], *distance = out[1];                                                                       \
-    qtraj_status first = QTRAJ_OK;                                                                              \
-    size_t unused;                                                                                              \
-    if (counts[1] == 1) return function(matrix, count, (double)limit[0], q, distance, bad);                     \
-    EACH(function(matrix + 9 * i, 1, (double)limit[i], q + 4 * i, distance + i, &unused));                      \
+#define FROM_MATRIX(name, type, function)                                                                              \
+  static qtraj_status name(const void* const* in, const size_t* counts, size_t count, void* const* out, size_t* bad) { \
+    const type *matrix = in[0], *limit = in[1];                                                                        \
+    type *q = out[0], *distance = out[1];                                                                              \
+    qtraj_status first = QTRAJ_OK;                                                                                     \
+    size_t unused;                                                                                                     \
+    if (counts[1] == 1) return function(matrix, count, (double)limit[0], q, distance, bad);                            \
+    EACH(function(matrix + 9 * i, 1, (double)limit[i], q + 4 * i, distance + i, &unused));                             \
   }
 FROM_MATRIX(q_from_matrix, double, qtraj_q_from_matrix)
 FROM_MATRIX(q_from_matrix_f32, float, qtraj_q_from_matrix_f32)
@@ -149,12 +147,18 @@ struct function {
   call_rows* of_float; /* NULL: by way of double */
 };
 
-#define PAIR_OF(name, width, out, signature) {#name, signature, 2, 1, {4, width, out}, 3, 0, 0, name, name##_f32}
-#define ONE(name, width, out, signature) {#name, signature, 1, 1, {width, out}, 0, 0, 0, name, name##_f32}
-#define BETWEEN(name) {#name, "(4),(),(4),(),()->(4)", 5, 1, {4, 1, 4, 1, 1, 4}, 31, 5, 26, name, name##_f32}
-#define FRACTION(name) {#name, "(4),(4),()->(4)", 3, 1, {4, 4, 1, 4}, 7, 0, 0, name, name##_f32}
-#define RATES(name) {#name, "(4),(3),(3)->(4),(4)", 3, 2, {4, 3, 3, 4, 4}, 0, 0, 0, name, NULL}
-#define DERIVATIVES(name) {#name, "(4),(4),(4)->(3),(3)", 3, 2, {4, 4, 4, 3, 3}, 0, 0, 0, name, NULL}
+#define PAIR_OF(name, width, out, signature) \
+  { #name, signature, 2, 1, {4, width, out }, 3, 0, 0, name, name##_f32 }
+#define ONE(name, width, out, signature) \
+  { #name, signature, 1, 1, {width, out }, 0, 0, 0, name, name##_f32 }
+#define BETWEEN(name) \
+  { #name, "(4),(),(4),(),()->(4)", 5, 1, {4, 1, 4, 1, 1, 4 }, 31, 5, 26, name, name##_f32 }
+#define FRACTION(name) \
+  { #name, "(4),(4),()->(4)", 3, 1, {4, 4, 1, 4 }, 7, 0, 0, name, name##_f32 }
+#define RATES(name) \
+  { #name, "(4),(3),(3)->(4),(4)", 3, 2, {4, 3, 3, 4, 4 }, 0, 0, 0, name, NULL }
+#define DERIVATIVES(name) \
+  { #name, "(4),(4),(4)->(3),(3)", 3, 2, {4, 4, 4, 3, 3 }, 0, 0, 0, name, NULL }
 
 static const struct function functions[] = {
     FRACTION(slerp_shortest),
@@ -226,8 +230,10 @@ static void gather(const struct operand* operand, npy_intp first, npy_intp count
     for (int k = 0; k < operand->width; ++k) {
       const char* from = number(operand, first + i, k);
       const npy_intp at = i * operand->width + k;
-      if (!to_double) ((float*)block)[at] = *(const float*)from;
-      else ((double*)block)[at] = operand->is_double ? *(const double*)from : (double)*(const float*)from;
+      if (!to_double)
+        ((float*)block)[at] = *(const float*)from;
+      else
+        ((double*)block)[at] = operand->is_double ? *(const double*)from : (double)*(const float*)from;
     }
   }
 }
@@ -237,9 +243,12 @@ static void scatter(const struct operand* operand, npy_intp first, npy_intp coun
     for (int k = 0; k < operand->width; ++k) {
       char* to = number(operand, first + i, k);
       const npy_intp at = i * operand->width + k;
-      if (!of_double) *(float*)to = ((const float*)block)[at];
-      else if (operand->is_double) *(double*)to = ((const double*)block)[at];
-      else *(float*)to = (float)((const double*)block)[at];
+      if (!of_double)
+        *(float*)to = ((const float*)block)[at];
+      else if (operand->is_double)
+        *(double*)to = ((const double*)block)[at];
+      else
+        *(float*)to = (float)((const double*)block)[at];
     }
   }
 }
@@ -260,8 +269,10 @@ static void fill_nan(const struct call* call, size_t first, size_t count) {
     const int operand = call->function->inputs + k;
     const size_t width = (size_t)call->function->width[operand];
     for (size_t i = first * width; i < (first + count) * width; ++i) {
-      if (call->size[operand] == sizeof(double)) ((double*)call->out[k])[i] = NAN;
-      else ((float*)call->out[k])[i] = NAN;
+      if (call->size[operand] == sizeof(double))
+        ((double*)call->out[k])[i] = NAN;
+      else
+        ((float*)call->out[k])[i] = NAN;
     }
   }
 }
@@ -404,10 +415,9 @@ static PyObject* take_ambiguous(PyObject* module, PyObject* none) {
   return PyBool_FromLong(was);
 }
 
-static PyMethodDef methods[] = {
-    {"take_ambiguous", take_ambiguous, METH_NOARGS,
-     "Whether a row was ambiguous in a call of this thread since the last question."},
-    {NULL, NULL, 0, NULL}};
+static PyMethodDef methods[] = {{"take_ambiguous", take_ambiguous, METH_NOARGS,
+                                 "Whether a row was ambiguous in a call of this thread since the last question."},
+                                {NULL, NULL, 0, NULL}};
 
 static int add(PyObject* module, const char* name, PyObject* ufunc) {
   if (ufunc == NULL) return -1;
@@ -436,13 +446,14 @@ static int add_ufuncs(PyObject* module) {
         types[i][is_double * operands + k] = is_double || (function->times >> k & 1) ? NPY_DOUBLE : NPY_FLOAT;
       }
     }
-    PyObject* ufunc = PyUFunc_FromFuncAndDataAndSignature(by_row, data[i], types[i], 2, function->inputs,
-                                                          function->outputs, PyUFunc_None, function->name,
-                                                          function->signature, 0, function->signature);
+    PyObject* ufunc =
+        PyUFunc_FromFuncAndDataAndSignature(by_row, data[i], types[i], 2, function->inputs, function->outputs,
+                                            PyUFunc_None, function->name, function->signature, 0, function->signature);
     if (add(module, function->name, ufunc) < 0) return -1;
   }
-  return add(module, "sample", PyUFunc_FromFuncAndData(invalid, nothing, of_invalid, 1, 1, 1, PyUFunc_None, "sample",
-                                                       "NaN, and invalid under np.errstate.", 0));
+  return add(module, "sample",
+             PyUFunc_FromFuncAndData(invalid, nothing, of_invalid, 1, 1, 1, PyUFunc_None, "sample",
+                                     "NaN, and invalid under np.errstate.", 0));
 }
 
 static int execute(PyObject* module) {
@@ -456,11 +467,8 @@ static PyModuleDef_Slot slots[] = {{Py_mod_exec, execute},
 #endif
                                    {0, NULL}};
 
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT,
-                                        .m_name = "qtraj._ufuncs",
-                                        .m_doc = "Generalised ufuncs over rows.",
-                                        .m_size = 0,
-                                        .m_methods = methods,
-                                        .m_slots = slots};
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, .m_name = "qtraj._ufuncs", .m_doc = "Generalised ufuncs over rows.",
+    .m_size = 0,           .m_methods = methods,      .m_slots = slots};
 
 PyMODINIT_FUNC PyInit__ufuncs(void) { return PyModuleDef_Init(&definition); }
