@@ -230,6 +230,33 @@ def test_animations_of_gltf(interpolation, suffix, rng, tmp_path):
     assert out.returncode == 0 and len(out.stdout.splitlines()) == 32
 
 
+@pytest.mark.parametrize(("code", "kind"), [(5120, "i1"), (5121, "u1"), (5122, "<i2"), (5123, "<u2")])
+def test_whole_numbers_of_gltf_are_fractions(code, kind, tmp_path):
+    library = pytest.importorskip("pygltflib")
+    largest = np.iinfo(kind).max
+    xyzw = np.array([[0, 0, 0, largest], [largest, 0, 0, 0]], kind)
+    stride = 4 * xyzw.itemsize
+    blob = np.arange(2, dtype="<f4").tobytes() + xyzw.tobytes()
+    document = library.GLTF2(
+        nodes=[library.Node()],
+        buffers=[library.Buffer(byteLength=len(blob))],
+        bufferViews=[library.BufferView(buffer=0, byteLength=8), library.BufferView(buffer=0, byteOffset=8, byteLength=2 * stride, byteStride=stride)],
+        accessors=[library.Accessor(bufferView=0, componentType=5126, count=2, type="SCALAR"),
+                   library.Accessor(bufferView=1, componentType=code, normalized=True, count=2, type="VEC4")],
+        animations=[library.Animation(samplers=[library.AnimationSampler(input=0, output=1)],
+                                      channels=[library.AnimationChannel(sampler=0, target=library.AnimationChannelTarget(node=0, path="rotation"))])],
+    )
+    document.set_binary_blob(blob)
+    document.save(str(tmp_path / "a.glb"))
+    found = recordings.read(tmp_path / "a.glb")
+    assert found.name == "0:0" and found.method == "slerp"
+    np.testing.assert_array_equal(found.q, [[1, 0, 0, 0], [0, 1, 0, 0]])
+    document.accessors[1].count = 3
+    document.save(str(tmp_path / "b.glb"))
+    with pytest.raises(RecordingError, match="reaches past the end|2 times for 3"):
+        recordings.read(tmp_path / "b.glb")
+
+
 def test_kernels_of_spice(rng, tmp_path):
     spice = pytest.importorskip("spiceypy")
     path, ticks, c_matrix = tmp_path / "a.bc", np.arange(5.0) * 256, walk(rng, 5)

@@ -79,7 +79,8 @@ class Segment:
 
 def read_aem(path: Path, file: TextIO) -> list[Recording]:
     """All segments of a message."""
-    version, meta, inside = 0.0, {}, ""
+    version, inside = 0.0, ""
+    meta: dict[str, str] = {}
     segments: list[Segment] = []
     for number, line in enumerate(file, 1):
         text = line.strip()

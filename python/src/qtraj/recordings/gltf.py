@@ -16,6 +16,7 @@ from .recording import Recording, RecordingError, ordered
 
 METHODS = {"LINEAR": "slerp", "STEP": "step", "CUBICSPLINE": "quaternion_hermite"}
 TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5126: np.float32}
+LARGEST = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}
 WIDTHS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
 
 
@@ -70,6 +71,6 @@ def accessor(path: Path, document: Any, index: int) -> np.ndarray:
     if data is None or end > len(data):
         raise RecordingError(path, None, f"accessor {index} reaches past the end of its buffer")
     rows = np.ndarray((found.count, width), kind, data, start, (stride, kind.itemsize)).astype(np.float64)
-    if kind.kind in "iu":
-        rows = np.maximum(rows / np.iinfo(TYPES[found.componentType]).max, -1.0)
+    if kind.kind in "iu":  # as fractions of the largest
+        rows = np.maximum(rows / LARGEST[found.componentType], -1.0)
     return rows
