@@ -1,4 +1,4 @@
-# Install rules: header, libraries, qtraj.pc and the CMake package. Every path in them is relative to the file it stands
+# Install rules: headers, libraries, qtraj.pc and the CMake package. Every path in them is relative to the file it stands
 # in, so that the installed tree can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/qtraj)
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES include/qtraj.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES include/qtraj.h include/qtraj.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 # One export file for each kind of library: a distribution may package them apart.
 foreach(kind shared static)
