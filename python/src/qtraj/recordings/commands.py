@@ -95,7 +95,8 @@ def report(recording: Recording) -> tuple[list[str], bool]:
         return [*lines, "FAULT           fewer than two keys"], False
     found = qtraj.check_keys(recording.times, recording.q)
     steps = np.diff(recording.times[found.status == 0])
-    lines.append(f"span            {recording.times[0]:.9g} s to {recording.times[-1]:.9g} s")
+    first, last = float(recording.times[0]), float(recording.times[-1])
+    lines.append(f"span            {last - first:.9g} s, from {first!r} to {last!r}")
     if len(steps):
         middle = float(np.median(steps))
         gaps = int((steps > 5 * middle).sum())
