@@ -59,7 +59,7 @@ void add_width(size_t count) {
 }  // namespace
 
 void add_tables() {
-  for (const size_t count : {size_t{1000}, size_t{1000000}}) {
+  for (const size_t count : {size_t{1000}, size_t{10000}, size_t{1000000}}) {
     add_width<3>(count);
     add_width<4>(count);
     add_width<7>(count);
